@@ -39,24 +39,45 @@ Outcome<AskedTasks> site_of(const fs::path& folder) {
   return asked_tasks(*text, file.string());
 }
 
-/// The tasks of a site, or of all labs of a course. What site_of() says.
-Outcome<std::vector<AskedTasks>> sites_of(const fs::path& folder) {
-  std::vector<fs::path> folders{folder};
-  if (is_course_of_ours(folder)) {
-    const auto text = read_file(folder / kCourseJsonName, kMostOfText);
-    if (!text) return text.errors();
-    const auto course = read_course_list(*text, (folder / kCourseJsonName).string());
-    if (!course) return course.errors();
-    folders.clear();
-    for (const PackedLab& lab : course->labs) folders.push_back(folder / lab.name);
-  }
+/// R2W0210, R2W0605.
+Outcome<CourseList> course_of(const fs::path& folder) {
+  const auto text = read_file(folder / kCourseJsonName, kMostOfText);
+  if (!text) return text.errors();
+  return read_course_list(*text, (folder / kCourseJsonName).string());
+}
+
+/// All labs of a course.
+Outcome<std::vector<AskedTasks>> labs_of(const fs::path& folder) {
+  const auto course = course_of(folder);
+  if (!course) return course.errors();
   std::vector<AskedTasks> sites;
-  for (const fs::path& one : folders) {
-    auto site = site_of(one);
+  for (const PackedLab& lab : course->labs) {
+    auto site = site_of(folder / lab.name);
     if (!site) return std::move(site).errors();
+    site->names.push_back(lab.title);
+    site->course = course->title;
     sites.push_back(*std::move(site));
   }
   return sites;
+}
+
+/// The tasks of a site, or of all labs of a course. What site_of() and course_of() say.
+Outcome<std::vector<AskedTasks>> sites_of(const fs::path& folder) {
+  if (is_course_of_ours(folder)) return labs_of(folder);
+  auto site = site_of(folder);
+  if (!site) return std::move(site).errors();
+  const auto place = real_path(folder);
+  if (!place) return place.errors();
+  // A lab that lies in its course, or an earlier version `LAB@HASH` of one, has the course's title
+  // for it as well.
+  if (is_course_of_ours(place->parent_path())) {
+    const auto course = course_of(place->parent_path());
+    if (!course) return course.errors();
+    const std::string name = place->filename().string();
+    for (const PackedLab& lab : course->labs)
+      if (lab.name == name.substr(0, name.find('@'))) site->names.push_back(lab.title);
+  }
+  return std::vector<AskedTasks>{*std::move(site)};
 }
 
 std::size_t count(const std::vector<HandedTask>& tasks, std::string HandedTask::*when) {
@@ -169,6 +190,8 @@ int grade(Context& context, const Options& options) {
     }
     Diagnostics others;
     if (!options.sites.empty()) others = check_progress(*file, sites, name);
+    if (const auto lacking = lacking_labs(*file, sites, name); lacking && others.empty())
+      context.console.report(*lacking);
     if (others.empty()) all.push_back({.shown = name, .file = *std::move(file)});
     append(faults, others);
   }

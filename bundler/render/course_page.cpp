@@ -149,6 +149,7 @@ Outcome<CourseList> read_course_list(std::string_view text, const std::string& s
   if (!json) return json.errors();
   CourseList list{.hash = sha256_hex(text),
                   .generator = json->text_of("generator"),
+                  .title = json->text_of("title"),
                   .labs = {},
                   .sizes = {},
                   .files = {}};

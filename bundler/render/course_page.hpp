@@ -31,6 +31,7 @@ struct PackedLab {
 struct CourseList {
   std::string hash;  ///< sha256 of course.json: of all labs by their hashes
   std::string generator;
+  std::string title;
   std::vector<PackedLab> labs;
   std::vector<FilePart> sizes;     ///< of the course's own files
   std::vector<std::string> files;  ///< their names, which are plain

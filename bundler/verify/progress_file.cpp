@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "bundler/io/base64.hpp"
 #include "bundler/io/ed25519.hpp"
 #include "bundler/io/sha256.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/text_encoding.hpp"
 
@@ -32,16 +34,33 @@ Diagnostic no_progress(const std::string& shown, std::string why) {
                     .fix = {}};
 }
 
-/// One line that a terminal and a table show as it is: no control characters, line separators, byte
-/// order marks or changes of the writing direction.
+/// Characters that a terminal or a table does not show as they are: control characters, line
+/// separators, byte order marks and changes of the writing direction.
+bool steers(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x2028 && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
+}
+
+/// As the page writes a title into the file: a space for each such character.
+std::string as_handed_in(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character character = decode_utf8(text, i);
+    if (steers(character.code_point))
+      plain += ' ';
+    else
+      plain += text.substr(i, character.length);
+    i += character.length;
+  }
+  return plain;
+}
+
+/// One line that a terminal and a table show as it is.
 bool is_plain(std::string_view text) {
   if (text.size() > kLongestText) return false;
   for (std::size_t i = 0; i < text.size();) {
     const Utf8Character character = decode_utf8(text, i);
-    const char32_t c = character.code_point;
-    if (c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x2028 && c <= 0x202E) ||
-        (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF)
-      return false;
+    if (steers(character.code_point)) return false;
     i += character.length;
   }
   return true;
@@ -140,6 +159,47 @@ std::string cell(std::string_view text) {
   return quoted + "\"";
 }
 
+Diagnostic other_site(std::string message, std::string why) {
+  Diagnostic made{.code = "R2W0672", .message = std::move(message), .why = {}, .fix = {}};
+  if (!why.empty()) made.why.push_back(std::move(why));
+  return made;
+}
+
+bool is_name_of(const std::string& title, const AskedTasks& site) {
+  return std::any_of(site.names.begin(), site.names.end(),
+                     [&](const std::string& name) { return as_handed_in(name) == title; });
+}
+
+/// A course may list one site twice, under two titles. Null: it is none of these.
+const AskedTasks* site_of(const HandedLab& lab, const std::vector<AskedTasks>& sites) {
+  const AskedTasks* found = nullptr;
+  for (const AskedTasks& one : sites) {
+    if (one.sha256 != lab.sha256) continue;
+    if (is_name_of(lab.title, one)) return &one;
+    if (found == nullptr) found = &one;
+  }
+  return found;
+}
+
+/// R2W0672: the lab is not called or has not the tasks that this site of its sha256 has.
+Diagnostics check_lab(const HandedLab& lab, const AskedTasks& site, const std::string& shown) {
+  Diagnostics faults;
+  if (!is_name_of(lab.title, site))
+    faults.push_back(
+        other_site("`" + shown + "` has another title for the lab `" + site.names.back() + "`",
+                   "it says `" + lab.title + "`"));
+  std::vector<std::string> handed;
+  std::vector<std::string> wanted;
+  for (const HandedTask& task : lab.tasks) handed.push_back(task.title);
+  for (const std::string& title : site.titles) wanted.push_back(as_handed_in(title));
+  if (handed != wanted)
+    faults.push_back(
+        other_site("`" + shown + "` has other tasks than the site `" + site.names.back() + "`",
+                   "it lists " + std::to_string(handed.size()) + " tasks, the site has " +
+                       std::to_string(wanted.size())));
+  return faults;
+}
+
 }  // namespace
 
 Outcome<ProgressFile> read_progress_file(std::string_view text, const std::string& shown) {
@@ -174,7 +234,10 @@ Outcome<ProgressFile> read_progress_file(std::string_view text, const std::strin
 Outcome<AskedTasks> asked_tasks(std::string_view site_json, const std::string& shown) {
   const auto json = parse_json(site_json, shown, "R2W0605");
   if (!json) return json.errors();
-  AskedTasks asked{.sha256 = sha256_hex(site_json), .titles = {}};
+  AskedTasks asked{.sha256 = sha256_hex(site_json), .titles = {}, .names = {}, .course = {}};
+  // The page shows the name where there is no title.
+  const std::string title = json->text_of("title");
+  asked.names.push_back(title.empty() ? json->text_of("name") : title);
   if (const JsonValue* tasks = json->find("tasks"))
     for (const JsonValue& task : tasks->items()) asked.titles.push_back(task.text_of("title"));
   return asked;
@@ -183,28 +246,47 @@ Outcome<AskedTasks> asked_tasks(std::string_view site_json, const std::string& s
 Diagnostics check_progress(const ProgressFile& file, const std::vector<AskedTasks>& sites,
                            const std::string& shown) {
   Diagnostics faults;
+  std::set<std::pair<std::string, std::string>> seen;
+  std::set<std::string> courses;
   for (const HandedLab& lab : file.labs) {
-    const auto site = std::find_if(sites.begin(), sites.end(),
-                                   [&](const AskedTasks& one) { return one.sha256 == lab.sha256; });
-    if (site == sites.end()) {
+    const AskedTasks* site = site_of(lab, sites);
+    if (site == nullptr) {
       faults.push_back(
-          Diagnostic{.code = "R2W0672",
-                     .message = "`" + shown + "` is of another site: `" + lab.title + "`",
-                     .why = {"its sha256 is " + lab.sha256 + ", which none of the given sites has"},
-                     .fix = {}});
+          other_site("`" + shown + "` is of another site: `" + lab.title + "`",
+                     "its sha256 is " + lab.sha256 + ", which none of the given sites has"));
       continue;
     }
-    std::vector<std::string> titles;
-    for (const HandedTask& task : lab.tasks) titles.push_back(task.title);
-    if (titles == site->titles) continue;
-    faults.push_back(
-        Diagnostic{.code = "R2W0672",
-                   .message = "`" + shown + "` has other tasks than the site `" + lab.title + "`",
-                   .why = {"it lists " + std::to_string(titles.size()) + " tasks, the site has " +
-                           std::to_string(site->titles.size())},
-                   .fix = {}});
+    if (!seen.emplace(lab.sha256, lab.title).second)
+      faults.push_back(
+          other_site("`" + shown + "` has the lab `" + lab.title + "` more than once", {}));
+    if (!site->course.empty()) courses.insert(as_handed_in(site->course));
+    append(faults, check_lab(lab, *site, shown));
   }
+  if (!file.course.empty() && !courses.empty() && !courses.contains(file.course))
+    faults.push_back(other_site("`" + shown + "` is of another course: `" + file.course + "`",
+                                "its labs are of `" + *courses.begin() + "`"));
   return faults;
+}
+
+std::optional<Diagnostic> lacking_labs(const ProgressFile& file,
+                                       const std::vector<AskedTasks>& sites,
+                                       const std::string& shown) {
+  if (file.course.empty()) return std::nullopt;
+  Diagnostic warning{.code = "R2W0674",
+                     .severity = Severity::kWarning,
+                     .message = "`" + shown + "` lacks labs of the course `" + file.course + "`",
+                     .why = {},
+                     .fix = {}};
+  for (const AskedTasks& site : sites) {
+    if (as_handed_in(site.course) != file.course || site.titles.empty()) continue;
+    // An earlier version has another sha256 and, most likely, the same title.
+    const bool there = std::any_of(file.labs.begin(), file.labs.end(), [&](const HandedLab& lab) {
+      return lab.sha256 == site.sha256 || is_name_of(lab.title, site);
+    });
+    if (!there) warning.why.push_back(site.names.back());
+  }
+  if (warning.why.empty()) return std::nullopt;
+  return warning;
 }
 
 std::string progress_csv_head() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,19 +41,27 @@ struct ProgressFile {
 [[nodiscard]] Outcome<ProgressFile> read_progress_file(std::string_view text,
                                                        const std::string& shown);
 
-/// The titles of a site's tasks.
+/// The tasks of a site, and what its pages call it.
 struct AskedTasks {
   std::string sha256;
-  std::vector<std::string> titles;
+  std::vector<std::string> titles;  ///< of its tasks
+  std::vector<std::string> names;   ///< its own title, and that in the list of its course
+  std::string course;               ///< title of the course that lists this site; empty: none does
 };
 
 /// `site_json` must be one that read_site_list() takes. R2W0605.
 [[nodiscard]] Outcome<AskedTasks> asked_tasks(std::string_view site_json, const std::string& shown);
 
-/// R2W0672 a lab of the file is none of these sites, or has other tasks.
+/// R2W0672 a lab of the file is none of these sites, is there twice, or has another title or other
+/// tasks; or the file is of another course.
 [[nodiscard]] Diagnostics check_progress(const ProgressFile& file,
                                          const std::vector<AskedTasks>& sites,
                                          const std::string& shown);
+
+/// R2W0674, a warning: the file is of a whole course, and lacks labs of it that have tasks.
+[[nodiscard]] std::optional<Diagnostic> lacking_labs(const ProgressFile& file,
+                                                     const std::vector<AskedTasks>& sites,
+                                                     const std::string& shown);
 
 /// CSV for a spreadsheet: a head, and one row for each task. No cell is a formula.
 [[nodiscard]] std::string progress_csv_head();

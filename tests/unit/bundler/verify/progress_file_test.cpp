@@ -84,21 +84,85 @@ TEST(ProgressFile, WhatIsNoneIsRefused) {
   }
 }
 
+AskedTasks site_called(const std::string& name, const std::string& course = {}) {
+  return {.sha256 = kHash, .titles = {"=A1"}, .names = {name}, .course = course};
+}
+
+std::string faults_of(const ProgressFile& file, const std::vector<AskedTasks>& sites) {
+  std::string all;
+  for (const Diagnostic& fault : check_progress(file, sites, "ada.json"))
+    all += fault.code + " " + fault.message + "\n";
+  return all;
+}
+
 TEST(ProgressFile, IsComparedWithSites) {
   const auto file = read_progress_file(signed_file(good_record()), "ada.json");
   ASSERT_TRUE(file);
-  EXPECT_TRUE(check_progress(*file, {{.sha256 = kHash, .titles = {"=A1"}}}, "ada.json").empty());
-  for (const AskedTasks& site : {AskedTasks{.sha256 = std::string(64, 'b'), .titles = {"=A1"}},
-                                 AskedTasks{.sha256 = kHash, .titles = {"=A1", "more"}}}) {
-    const Diagnostics faults = check_progress(*file, {site}, "ada.json");
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults.front().code, "R2W0672");
-  }
-  const std::string site = R"({"generator":"ros2wasm","tasks":[{"title":"=A1"}]})";
+  EXPECT_EQ(faults_of(*file, {site_called("Drive")}), "");
+  AskedTasks other = site_called("Drive");
+  other.sha256 = std::string(64, 'b');
+  EXPECT_EQ(faults_of(*file, {other}), "R2W0672 `ada.json` is of another site: `Drive`\n");
+  AskedTasks more = site_called("Drive");
+  more.titles.push_back("more");
+  EXPECT_EQ(faults_of(*file, {more}), "R2W0672 `ada.json` has other tasks than the site `Drive`\n");
+  const std::string site =
+      R"({"generator":"ros2wasm","name":"one","title":"Drive","tasks":[{"title":"=A1"}]})";
   const auto asked = asked_tasks(site, "site.json");
   ASSERT_TRUE(asked);
   EXPECT_EQ(asked->sha256, sha256_hex(site));
   EXPECT_EQ(asked->titles, std::vector<std::string>{"=A1"});
+  EXPECT_EQ(asked->names, std::vector<std::string>{"Drive"});
+  EXPECT_EQ(asked_tasks(R"({"name":"one"})", "site.json")->names, std::vector<std::string>{"one"});
+}
+
+TEST(ProgressFile, HasTheTitlesThatThePageWrites) {
+  const auto file = read_progress_file(signed_file(good_record()), "ada.json");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(faults_of(*file, {site_called("Fly")}),
+            "R2W0672 `ada.json` has another title for the lab `Fly`\n");
+  AskedTasks listed = site_called("Fly", "Robots");
+  listed.names.emplace_back("Drive");
+  EXPECT_EQ(faults_of(*file, {listed}), "") << "the course has a title of its own for it";
+  EXPECT_EQ(faults_of(*file, {site_called("Fly"), site_called("Drive")}), "")
+      << "one site in two places of a course";
+  EXPECT_EQ(faults_of(*file, {site_called("Drive", "Boats")}),
+            "R2W0672 `ada.json` is of another course: `Robots`\n");
+  std::string record = good_record();
+  record.replace(record.find("Drive"), 5, "Dri ve");
+  const auto spaced = read_progress_file(signed_file(record), "ada.json");
+  ASSERT_TRUE(spaced);
+  EXPECT_EQ(faults_of(*spaced, {site_called("Dri\u202eve")}), "")
+      << "the page writes a space for what steers a terminal";
+}
+
+TEST(ProgressFile, HasEachLabOnce) {
+  std::string record = good_record();
+  const std::size_t begin = record.find(R"({"title":"Drive")");
+  record.insert(begin, record.substr(begin, record.rfind("]}") - begin) + ",");
+  const auto file = read_progress_file(signed_file(record), "ada.json");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(faults_of(*file, {site_called("Drive")}),
+            "R2W0672 `ada.json` has the lab `Drive` more than once\n");
+}
+
+TEST(ProgressFile, LacksLabsOfItsCourse) {
+  const auto file = read_progress_file(signed_file(good_record()), "ada.json");
+  ASSERT_TRUE(file);
+  AskedTasks fly = site_called("Fly", "Robots");
+  fly.sha256 = std::string(64, 'b');
+  const std::vector<AskedTasks> course{site_called("Drive", "Robots"), fly};
+  const auto lacking = lacking_labs(*file, course, "ada.json");
+  ASSERT_TRUE(lacking);
+  EXPECT_EQ(lacking->code, "R2W0674");
+  EXPECT_EQ(lacking->why, std::vector<std::string>{"Fly"});
+  fly.names = {"Drive"};
+  EXPECT_FALSE(lacking_labs(*file, {fly}, "ada.json")) << "another version of what it has";
+  fly.names = {"Fly"};
+  fly.titles.clear();
+  EXPECT_FALSE(lacking_labs(*file, {fly}, "ada.json")) << "a lab without tasks";
+  ProgressFile one = *file;
+  one.course.clear();
+  EXPECT_FALSE(lacking_labs(one, course, "ada.json")) << "from the page of one lab";
 }
 
 TEST(ProgressFile, NoCellIsAFormula) {

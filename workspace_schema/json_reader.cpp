@@ -83,6 +83,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool close() {
     JsonValue value = std::move(open_.back());
+    // A list of a site's files has half a million small objects.
+    if (auto* object = std::get_if<JsonValue::Object>(&value.state())) object->shrink_to_fit();
     open_.pop_back();
     keys_.pop_back();
     return put(std::move(value));

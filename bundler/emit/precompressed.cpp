@@ -86,13 +86,12 @@ Outcome<Done> precompress_site(const fs::path& folder, const Cancellation& cance
 
 std::optional<std::string> wrong_compressed(const fs::path& file, std::uint64_t size,
                                             const std::string& sha256,
-                                            const std::set<fs::path>& taken) {
+                                            const std::function<bool(std::string_view)>& is_taken) {
   for (const Compression& form : kCompressions) {
     const fs::path place = beside(file, form);
-    if (taken.contains(place)) continue;
     std::error_code error;
     const fs::file_status status = fs::symlink_status(place, error);
-    if (!fs::exists(status)) continue;
+    if (!fs::exists(status) || is_taken(form.ending)) continue;
     // A link, a device, or one that is larger than what it should hold is not read.
     if (!fs::is_regular_file(status) || fs::file_size(place, error) > size || error)
       return std::string(form.ending);

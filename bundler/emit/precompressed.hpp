@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,10 +37,10 @@ inline constexpr std::array<Compression, 2> kCompressions{
 [[nodiscard]] Outcome<Done> precompress_site(const std::filesystem::path& folder,
                                              const Cancellation& cancellation);
 
-/// Which of the compressed forms that lie beside `file` does not unpack to these bytes; `taken` are
-/// files of the site itself.
+/// Which of the compressed forms that lie beside `file` does not unpack to these bytes. `is_taken`
+/// says of an ending whether the site itself has a file of that name.
 [[nodiscard]] std::optional<std::string> wrong_compressed(
     const std::filesystem::path& file, std::uint64_t size, const std::string& sha256,
-    const std::set<std::filesystem::path>& taken);
+    const std::function<bool(std::string_view ending)>& is_taken);
 
 }  // namespace ros2wasm

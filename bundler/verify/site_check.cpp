@@ -57,11 +57,50 @@ Outcome<FileHashes> hash_parts(const std::vector<fs::path>& parts) {
   return hashes;
 }
 
-/// What a site has to have: the list, and what follows from it.
+/// SHA256SUMS, which a site in a store does not have.
+std::optional<ListedFile> wanted_hash_list(const SiteList& list) {
+  if (!list.store.objects.empty()) return std::nullopt;
+  return listed_hash_list(list);
+}
+
+/// Copies the list; check_site_folder() does not, since anybody can list half a million files.
 std::vector<ListedFile> wanted_of(const SiteList& list) {
   std::vector<ListedFile> wanted = list.files;
-  if (list.store.objects.empty()) wanted.push_back(listed_hash_list(list));
+  if (auto file = wanted_hash_list(list)) wanted.push_back(std::move(*file));
   return wanted;
+}
+
+/// A site whose files are mostly missing is not listed file by file.
+constexpr std::size_t kMostFaults = 1000;
+
+Diagnostic too_many_faults() {
+  return Diagnostic{.code = "R2W0651",
+                    .message = "the other files were not looked at",
+                    .why = {std::to_string(kMostFaults) + " of them are missing or other files"},
+                    .fix = {}};
+}
+
+/// Sorted, for find_place(): where the site's own files lie.
+std::vector<std::string> listed_places(const SiteList& list) {
+  std::vector<std::string> listed{kSiteJsonName, kHashList};
+  listed.reserve(list.files.size() + listed.size());
+  for (const ListedFile& file : list.files) {
+    for (std::string& place : places_of(file, list)) listed.push_back(std::move(place));
+  }
+  std::sort(listed.begin(), listed.end());
+  return listed;
+}
+
+bool is_listed(const std::vector<std::string>& listed, const std::string& place) {
+  return std::binary_search(listed.begin(), listed.end(), place);
+}
+
+/// `tree` is sorted, as list_tree() gives it.
+const TreeEntry* entry_of(const std::vector<TreeEntry>& tree, const std::string& path) {
+  const auto found =
+      std::lower_bound(tree.begin(), tree.end(), path,
+                       [](const TreeEntry& entry, const std::string& p) { return entry.path < p; });
+  return found != tree.end() && found->path == path ? &*found : nullptr;
 }
 
 /// Nothing when the file has the listed bytes. R2W0210 when it cannot be read at all.
@@ -81,27 +120,73 @@ Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed,
   return std::optional<Diagnostic>();
 }
 
+/// A listed file in another encoding: `NAME.br`.
+bool is_form_of_listed(const std::vector<std::string>& listed, const std::string& path) {
+  return std::any_of(kCompressions.begin(), kCompressions.end(), [&](const Compression& form) {
+    return path.ends_with(form.ending) &&
+           is_listed(listed, path.substr(0, path.size() - form.ending.size()));
+  });
+}
+
 /// What no site.json lists, apart from itself, its signature and the channel that may lie beside a
 /// site.
-std::vector<std::string> unlisted_of(const SiteList& list, const std::vector<TreeEntry>& tree) {
-  std::set<std::string> listed{kSiteJsonName, kHashList};
-  for (const ListedFile& file : list.files) {
-    for (std::string& place : places_of(file, list)) listed.insert(std::move(place));
-  }
-  std::set<std::string> forms;
-  for (const std::string& path : listed) {
-    for (const Compression& form : kCompressions) forms.insert(path + std::string(form.ending));
-  }
-  listed.merge(forms);
-  listed.insert({kSignatureName, kPublicKeyName});
+std::vector<std::string> unlisted_of(const std::vector<std::string>& listed,
+                                     const std::vector<TreeEntry>& tree) {
+  const std::string channel = std::string(kShippedChannel) + "/";
   std::vector<std::string> result;
   for (const TreeEntry& entry : tree) {
-    if (entry.kind == FileKind::kDirectory || listed.contains(entry.path) ||
-        entry.path.starts_with(std::string(kShippedChannel) + "/"))
+    if (entry.kind == FileKind::kDirectory || entry.path == kSignatureName ||
+        entry.path == kPublicKeyName || entry.path.starts_with(channel) ||
+        is_listed(listed, entry.path) || is_form_of_listed(listed, entry.path))
       continue;
     result.push_back(entry.path);
   }
   return result;
+}
+
+/// The folder of a site, and what was found out of it once.
+struct CheckedFolder {
+  const fs::path& folder;
+  const SiteList& list;
+  const std::vector<std::string>& listed;  ///< listed_places()
+  const std::vector<TreeEntry>& tree;
+};
+
+/// The forms of one place that have other bytes inside: `.br`.
+std::optional<std::string> wrong_form(const CheckedFolder& site, const std::string& place,
+                                      std::uint64_t size, const std::string& sha256) {
+  return wrong_compressed(site.folder / place, size, sha256, [&](std::string_view ending) {
+    return is_listed(site.listed, place + std::string(ending));
+  });
+}
+
+/// R2W0650 and R2W0651 go into `faults`. R2W0210 when it cannot be read at all.
+Outcome<Done> check_listed(const CheckedFolder& site, const ListedFile& file, Diagnostics& faults) {
+  const std::vector<std::string> places = places_of(file, site.list);
+  std::vector<fs::path> parts;
+  for (const std::string& place : places) {
+    parts.push_back(site.folder / place);
+    std::error_code error;
+    const TreeEntry* entry = entry_of(site.tree, place);
+    const bool there =
+        (entry != nullptr && entry->kind == FileKind::kFile) ||
+        (place.starts_with("../") && fs::is_regular_file(fs::symlink_status(parts.back(), error)));
+    if (there) continue;
+    faults.push_back(not_there(file.path));
+    return Done{};
+  }
+  auto fault = fault_of(file, parts);
+  if (!fault) return std::move(fault).errors();
+  if (*fault) faults.push_back(std::move(**fault));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_whole = file.parts.empty();
+    const auto wrong = wrong_form(site, places[i], is_whole ? file.size : file.parts[i].size,
+                                  is_whole ? file.sha256 : file.parts[i].sha256);
+    if (wrong)
+      faults.push_back(
+          other_bytes(file.path + *wrong, "it does not unpack to `" + file.path + "`"));
+  }
+  return Done{};
 }
 
 /// The address of the site's folder, with a slash at its end.
@@ -140,6 +225,12 @@ Outcome<Answer> answer_of(const std::string& base, const char* name, std::uint64
   return answer;
 }
 
+std::uint64_t size_of(const SiteList& list, const std::optional<ListedFile>& more) {
+  std::uint64_t total = more ? more->size : 0;
+  for (const ListedFile& file : list.files) total += file.size;
+  return total;
+}
+
 void report(const ProgressSink& progress, std::uint64_t done, std::uint64_t total) {
   if (progress)
     progress({.step = kStep, .item = {}, .done = done, .total = total, .unit = "bytes"});
@@ -164,17 +255,14 @@ Diagnostic unlisted_files(const std::vector<std::string>& paths, const std::stri
 
 Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation& cancellation,
                                      const ProgressSink& progress) {
-  const auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);
+  auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);
   if (!text) return text.errors();
   auto list = read_site_list(*text, (folder / kSiteJsonName).string());
   if (!list) return std::move(list).errors();
   auto tree = list_tree(folder);
   if (!tree) return std::move(tree).errors();
-  std::set<std::string> files;
-  for (const TreeEntry& entry : *tree) {
-    if (entry.kind == FileKind::kFile) files.insert(entry.path);
-  }
-  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}, .site_json = *text};
+  SiteCheck check{
+      .list = std::move(*list), .faults = {}, .unlisted = {}, .site_json = std::move(*text)};
   for (const TreeEntry& entry : *tree) {
     if (entry.path != kSignatureName || entry.kind != FileKind::kFile) continue;
     auto signature = entry.size > kLargestSignature
@@ -183,45 +271,28 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
     if (!signature) return std::move(signature).errors();
     check.signature = std::move(*signature);
   }
-  check.unlisted = unlisted_of(check.list, *tree);
-  const std::vector<ListedFile> wanted = wanted_of(check.list);
-  std::uint64_t total = 0;
+  const std::vector<std::string> listed = listed_places(check.list);
+  check.unlisted = unlisted_of(listed, *tree);
+  const CheckedFolder site{.folder = folder, .list = check.list, .listed = listed, .tree = *tree};
+  const auto hash_list_file = wanted_hash_list(check.list);
   std::uint64_t done = 0;
-  std::set<fs::path> taken;
-  for (const ListedFile& file : wanted) {
-    total += file.size;
-    for (const std::string& place : places_of(file, check.list)) taken.insert(folder / place);
-  }
-  for (const ListedFile& file : wanted) {
+  const std::uint64_t total = size_of(check.list, hash_list_file);
+  const auto look = [&](const ListedFile& file) -> Outcome<Done> {
     if (cancellation.requested()) return interrupted();
-    std::vector<fs::path> parts;
-    bool there = true;
-    for (const std::string& place : places_of(file, check.list)) {
-      parts.push_back(folder / place);
-      std::error_code error;
-      there = there && (files.contains(place) ||
-                        (place.starts_with("../") &&
-                         fs::is_regular_file(fs::symlink_status(parts.back(), error))));
-    }
-    if (!there) {
-      check.faults.push_back(not_there(file.path));
-    } else {
-      auto fault = fault_of(file, parts);
-      if (!fault) return std::move(fault).errors();
-      if (*fault) check.faults.push_back(std::move(**fault));
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const bool is_whole = file.parts.empty();
-        const auto wrong = wrong_compressed(parts[i], is_whole ? file.size : file.parts[i].size,
-                                            is_whole ? file.sha256 : file.parts[i].sha256, taken);
-        if (wrong)
-          check.faults.push_back(
-              other_bytes(file.path + *wrong, "it does not unpack to `" + file.path + "`"));
-      }
-    }
+    if (auto looked = check_listed(site, file, check.faults); !looked) return looked;
     report(progress, done += file.size, total);
+    return Done{};
+  };
+  for (const ListedFile& file : check.list.files) {
+    if (auto looked = look(file); !looked) return std::move(looked).errors();
+    if (check.faults.size() < kMostFaults) continue;
+    check.faults.push_back(too_many_faults());
+    return check;
   }
-  if (const auto wrong =
-          wrong_compressed(folder / kSiteJsonName, text->size(), check.list.hash, taken))
+  if (hash_list_file) {
+    if (auto looked = look(*hash_list_file); !looked) return std::move(looked).errors();
+  }
+  if (const auto wrong = wrong_form(site, kSiteJsonName, check.site_json.size(), check.list.hash))
     check.faults.push_back(other_bytes(kSiteJsonName + *wrong, "it does not unpack to site.json"));
   return check;
 }

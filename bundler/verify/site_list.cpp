@@ -2,7 +2,7 @@
 #include "bundler/verify/site_list.hpp"
 
 #include <algorithm>
-#include <set>
+#include <optional>
 
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/site_path.hpp"
@@ -59,6 +59,17 @@ Outcome<std::vector<FilePart>> read_parts(const JsonValue& file, std::uint64_t w
   return parts;
 }
 
+/// Views, as there may be half a million.
+std::optional<std::string> listed_twice(const std::vector<ListedFile>& files) {
+  std::vector<std::string_view> paths;
+  paths.reserve(files.size());
+  for (const ListedFile& file : files) paths.emplace_back(file.path);
+  std::sort(paths.begin(), paths.end());
+  const auto twice = std::adjacent_find(paths.begin(), paths.end());
+  if (twice == paths.end()) return std::nullopt;
+  return std::string(*twice);
+}
+
 Kept kept_of(std::string_view word) {
   for (const Kept kept : {Kept::kObject, Kept::kScript}) {
     if (word == word_of(kept)) return kept;
@@ -86,7 +97,7 @@ Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& 
     return no_site(shown, "its `generator` is not ros2wasm");
   const JsonValue* files = json->find("files");
   if (files == nullptr || !files->is_array()) return no_site(shown, "it lists no files");
-  std::set<std::string> seen;
+  list.files.reserve(files->items().size());
   for (const JsonValue& one : files->items()) {
     const JsonValue* size = one.find("size");
     const auto bytes = size == nullptr ? std::nullopt : size->unsigned_integer();
@@ -97,13 +108,14 @@ Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& 
     if (!bytes || *bytes > kLargestFile || !is_sha256(file.sha256))
       return no_site(shown, "`" + file.path + "` has no size that can be, or no sha256");
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
-    if (!seen.insert(file.path).second) return no_site(shown, "`" + file.path + "` stands twice");
     auto parts = read_parts(one, file.size, shown);
     if (!parts) return std::move(parts).errors();
     file.parts = std::move(*parts);
     file.kept = kept_of(one.text_of("kept"));
     list.files.push_back(std::move(file));
   }
+  if (const auto twice = listed_twice(list.files))
+    return no_site(shown, "`" + *twice + "` stands twice");
   return list;
 }
 

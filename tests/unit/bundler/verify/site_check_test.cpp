@@ -59,5 +59,20 @@ TEST(SiteCheck, FilesBesideTheLabsOfACourse) {
   EXPECT_EQ(check->unlisted, (std::vector<std::string>{"evil.js", "one/more", "two/index.html"}));
 }
 
+// Guarantee, hostile input: of a site.json that lists hundreds of thousands of files that are not
+// there, the first thousand are named
+TEST(SiteCheck, StopsAtAThousandFaults) {
+  const testing::TemporaryTree tree;
+  std::string files;
+  for (int i = 0; i < 3000; ++i)
+    files += std::string(i == 0 ? "" : ",") + R"({"path":"f)" + std::to_string(i) +
+             R"(","size":1,"sha256":")" + std::string(64, 'a') + "\"}";
+  tree.write("site/site.json", R"({"generator":"ros2wasm 0.1.0","files":[)" + files + "]}");
+  const auto check = check_site_folder(tree / "site", {}, {});
+  ASSERT_TRUE(check);
+  EXPECT_EQ(check->faults.size(), 1001U);
+  EXPECT_EQ(check->faults.back().message, "the other files were not looked at");
+}
+
 }  // namespace
 }  // namespace ros2wasm

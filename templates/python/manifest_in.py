@@ -40,33 +40,64 @@ def pattern_of(text: str, has_ranges: bool) -> re.Pattern[str]:
     `[0-9]` is a range only where setuptools reads the disk; where it looks at names, `-` stands for itself.
     """
     parts = text.split('/')
-    result = ''
-    for number, part in enumerate(parts):
-        is_last = number == len(parts) - 1
+    takes_all_below = parts[-1] == '**'
+    runs: list[list[str]] = [[]]  # of parts between those that are `**`
+    for part in parts[:-1] if takes_all_below else parts:
         if part == '**':
-            result += '.*' if is_last else '(?:[^/]+/)*'
-            continue
-        result += ''.join(pieces_of(part, has_ranges)) + ('' if is_last else '/')
-    return re.compile(result, re.DOTALL)
+            runs.append([])
+        else:
+            runs[-1].append(name_of(part, has_ranges))
+    texts = [''.join(f'{name}/' for name in run) for run in runs]
+    if takes_all_below:
+        return re.compile(first_fit('(?:[^/]++/)', texts) + '.*', re.DOTALL)
+    # The last part is followed by nothing.
+    return re.compile(first_fit('(?:[^/]++/)', [*texts[:-1], texts[-1][:-1]], is_end_fixed=True), re.DOTALL)
+
+
+def first_fit(any_one: str, texts: list[str], is_end_fixed: bool = False) -> str:
+    """
+    An expression for `texts` with any number of `any_one` between two of them.
+
+    Each text is taken where it fits first, and no other place is tried when the rest does not fit: it could not fit
+    further on either. So the time is bounded by the lengths of the pattern and of the path, whatever the pattern. Where
+    what follows fixes the end, the last text is looked for from there.
+    """
+    first, *more = texts
+    if not more:
+        return first
+    end = f'{any_one}*{more.pop()}' if is_end_fixed else ''
+    return first + ''.join(f'(?>{any_one}*?{text})' for text in more) + end
+
+
+def name_of(part: str, has_ranges: bool) -> str:
+    """A regular expression for the name of a file or a folder."""
+    texts = ['']
+    for piece in pieces_of(part, has_ranges):
+        if piece == '*':
+            texts.append('')
+        else:
+            texts[-1] += piece
+    return first_fit('[^/]', texts, is_end_fixed=True)
 
 
 def pieces_of(part: str, has_ranges: bool) -> Iterator[str]:
-    """Regular expressions for the letters of a name."""
+    """Regular expressions for the letters of a name, and `*`. A set never stands for `/`."""
     at = 0
+    last = part.rfind(']')
     while at < len(part):
         letter = part[at]
         at += 1
         # A set may begin with `!`, and with a `]` that belongs to it.
-        end = part.find(']', at + 1 + part.startswith('!', at)) if letter == '[' else -1
+        end = part.find(']', at + 1 + part.startswith('!', at)) if letter == '[' and at < last else -1
         if letter == '*':
-            yield '[^/]*'
+            yield '*'
         elif letter == '?':
             yield '[^/]'
         elif end >= 0:
             inner = part[at:end]
             special = r'([\\^\[\]])' if has_ranges else r'([\\^\[\]-])'
             escaped = re.sub(special, r'\\\1', inner.removeprefix('!'))
-            yield f"[{'^' if inner[0] == '!' else ''}{escaped}]"
+            yield f"(?!/)[{'^' if inner[0] == '!' else ''}{escaped}]"
             at = end + 1
         else:
             yield re.escape(letter)

@@ -39,7 +39,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   const [said, setSaid] = useState('');
   const announce = useCallback((text: string) => setSaid(text), []);
   const control = useLayout(session, embed === null ? store : null, wide || narrow, narrow, announce, embed);
-  useEmbedHost(embed, session);
+  useEmbedHost(embed, session, store);
   useEmbedTheme(embed, store, session.site.ui['theme']);
   useNodeNews(session, announce);
   useTaskNews(session, store, announce);

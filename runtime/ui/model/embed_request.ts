@@ -15,7 +15,7 @@ const kMostWaitMs = 600_000;
 /** Messages of a topic in a second. */
 const kUsualRate = 30;
 const kMostRate = 60;
-const kCommands = 'hello, state, height, watch, checks, run_checks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
+const kCommands = 'hello, state, height, watch, checks, run_checks, tasks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
 
 /** Why a request is not followed, in the form of every failure (model/problem.ts). */
 export class Refusal extends Error {
@@ -34,7 +34,7 @@ export class Refusal extends Error {
 export type EmbedId = string | number;
 
 export type EmbedOrder =
-  | { readonly do: 'hello' | 'state' | 'height' | 'checks' }
+  | { readonly do: 'hello' | 'state' | 'height' | 'checks' | 'tasks' }
   | { readonly do: 'watch'; readonly on: boolean }
   /** null: all nodes. */
   | { readonly do: 'start' | 'stop' | 'restart'; readonly node: string | null }
@@ -82,6 +82,7 @@ function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusa
       case 'height':
       case 'checks':
       case 'run_checks':
+      case 'tasks':
         return { do: what };
       case 'watch':
         return { do: what, on: member(request, 'on') !== false };

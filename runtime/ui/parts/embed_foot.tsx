@@ -18,18 +18,18 @@ export function useEmbedTheme(embed: EmbedView | null, store: Store | null, chos
 }
 
 /** The page around the frame may ask for things. The code for that comes in a frame only. */
-export function useEmbedHost(embed: EmbedView | null, session: Session): void {
+export function useEmbedHost(embed: EmbedView | null, session: Session, store: Store | null): void {
   useEffect(() => {
     if (embed === null || window.parent === window) return undefined;
     let close: (() => void) | null = () => undefined;
     void import('./embed_host.ts').then(({ hostEmbedding }) => {
-      if (close !== null) close = hostEmbedding(session);
+      if (close !== null) close = hostEmbedding(session, store);
     });
     return () => {
       close?.();
       close = null;
     };
-  }, [embed, session]);
+  }, [embed, session, store]);
 }
 
 /** `address` is asked when the link is used: what is shown may have changed. */

@@ -7,10 +7,12 @@ import { Allowance, isReading, kEmbedVersion, mayAct, readRequest, Refusal } fro
 import type { EmbedOrder } from '../model/embed_request.ts';
 import type { Json } from '../model/json.ts';
 import { siteHash } from '../model/link.ts';
+import type { Store } from '../model/preferences.ts';
 import { problemOf } from '../model/problem.ts';
 import { embedTexts } from '../texts_embed.ts';
 import { matched } from './matched.ts';
 import { codecOf, feedBytes } from './message_feed.ts';
+import { taskDesk } from './task_desk.ts';
 
 const words = embedTexts.refusals;
 
@@ -27,8 +29,8 @@ const kRefusals = [20, 2] as const;
 type Order<Kind extends EmbedOrder['do']> = Extract<EmbedOrder, { readonly do: Kind }>;
 
 /** Listens until the returned function is called. */
-export function hostEmbedding(session: Session): Unsubscribe {
-  const host = new EmbedHost(session);
+export function hostEmbedding(session: Session, store: Store | null): Unsubscribe {
+  const host = new EmbedHost(session, store);
   const listen = (event: MessageEvent<unknown>): void => host.hear(event);
   addEventListener('message', listen);
   tellParent({ event: 'ready', versions: [kEmbedVersion] }, '*');
@@ -49,6 +51,7 @@ function tellParent(what: Readonly<Record<string, unknown>>, origin: string): vo
 
 class EmbedHost {
   private readonly session: Session;
+  private readonly store: Store | null;
   private readonly orders = new Allowance(...kOrders, performance.now());
   private readonly refusals = new Allowance(...kRefusals, performance.now());
   private readonly subscriptions = new Map<number, Unsubscribe>();
@@ -58,8 +61,9 @@ class EmbedHost {
   private waiting = 0;
   private unwatch: Unsubscribe | undefined;
 
-  constructor(session: Session) {
+  constructor(session: Session, store: Store | null) {
     this.session = session;
+    this.store = store;
   }
 
   hear({ source, origin, data }: MessageEvent<unknown>): void {
@@ -131,6 +135,8 @@ class EmbedHost {
         return this.checks();
       case 'run_checks':
         return this.runChecks();
+      case 'tasks':
+        return this.tasks();
     }
   }
 
@@ -142,6 +148,10 @@ class EmbedHost {
       })),
       time: { state, rate, now },
       checks: (this.session.checks?.views() ?? []).map((check) => ({ title: check.title, state: check.state })),
+      // Of this visit: what the browser keeps of earlier ones is not for every page.
+      tasks: (this.session.tasks?.views() ?? []).map(({ title, done, checks }) => ({
+        title, done, checks: checks.map((check) => ({ title: check.title, state: check.state })),
+      })),
     };
   }
 
@@ -156,7 +166,7 @@ class EmbedHost {
         tellParent({ event: 'state', state: this.state() }, to);
       }, kStateMs);
     };
-    const ends = [this.session.onNodes(soon), this.session.time.onChange(soon), this.session.checks?.onChange(soon)];
+    const ends = [this.session.onNodes(soon), this.session.time.onChange(soon), this.session.checks?.onChange(soon), this.session.tasks?.onChange(soon)];
     soon();
     this.unwatch = () => {
       clearTimeout(timer);
@@ -287,6 +297,18 @@ class EmbedHost {
   private checks(): unknown {
     const checks = this.session.checks?.views() ?? [];
     return checks.map(({ title, state, seen, afterMs }) => ({ title, state, seen, ...(afterMs === undefined ? {} : { after_ms: afterMs }) }));
+  }
+
+  /** With what the browser keeps of earlier visits. */
+  private tasks(): unknown {
+    return taskDesk(this.session, this.store).tasks().map(({ title, checks, kept }) => ({
+      title,
+      done: kept.doneAt !== undefined,
+      ...(kept.doneAt === undefined ? {} : { done_at: kept.doneAt }),
+      ...(kept.hintAt === undefined ? {} : { hint_at: kept.hintAt }),
+      ...(kept.solutionAt === undefined ? {} : { solution_at: kept.solutionAt }),
+      checks: checks.map((check) => ({ title: check.title, state: check.state, seen: check.seen })),
+    }));
   }
 
   /** Answers when all are decided. */

@@ -65,23 +65,20 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   return result;
 }
 
-/// The sources that CMake reads.
-const fs::path& source_of(const PackageBuild& request) {
-  return request.copy.empty() ? request.place.source : request.copy;
-}
-
-/// Tool output with the sources where they are, not where a copy of them is.
-std::string with_own_paths(std::string_view output, const PackageBuild& request) {
-  return request.copy.empty()
+/// Tool output with the sources where they are, not where the copy of them is that CMake read:
+/// `read` is the folder that configure() gave.
+std::string with_own_paths(std::string_view output, const PackageBuild& request,
+                           const fs::path& read) {
+  return read == request.place.source
              ? std::string(output)
-             : with_replaced(output, request.copy.string(), request.place.source.string());
+             : with_replaced(output, read.string(), request.place.source.string());
 }
 
 /// Tool output for people: the folder where it was built is of no use to them, and differs from run
 /// to run.
-std::string for_people(std::string_view output, const PackageBuild& request) {
+std::string for_people(std::string_view output, const PackageBuild& request, const fs::path& read) {
   std::string text =
-      with_replaced(with_own_paths(output, request), request.work.string(), "<build>");
+      with_replaced(with_own_paths(output, request, read), request.work.string(), "<build>");
   constexpr std::string_view kNoise =
       "Not searching for unused variables given on the command line.\n";
   const std::size_t noise = text.find(kNoise);
@@ -133,15 +130,16 @@ class NinjaProgress {
 };
 
 /// What a tool said, and that a signal ended it: then it may have said nothing.
-std::string told(const ProcessResult& result, const PackageBuild& request) {
-  return for_people(result.output, request) + said_of_signal(result);
+std::string told(const ProcessResult& result, const PackageBuild& request, const fs::path& read) {
+  return for_people(result.output, request, read) + said_of_signal(result);
 }
 
 std::vector<std::string> configure_arguments(const PackageBuild& request, const BuildTools& tools,
+                                             const fs::path& from,
                                              const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {
-      "cmake", "-S", source_of(request).string(), "-B", request.work.string(), "-G", "Ninja",
-      "-Wno-dev", "--no-warn-unused-cli",
+      "cmake", "-S", from.string(), "-B", request.work.string(), "-G", "Ninja", "-Wno-dev",
+      "--no-warn-unused-cli",
       // kept_configure.hpp says when; times of files may lie.
       "-DCMAKE_SUPPRESS_REGENERATION=ON", "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
       "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes), "-DROS2WASM_CLI=" + tools.cli.string(),
@@ -155,12 +153,13 @@ std::vector<std::string> configure_arguments(const PackageBuild& request, const 
   return arguments;
 }
 
-/// Unless the last one would be the same. `more`: arguments besides. A package that asks for a
-/// newer CMake is configured as far as this one can: then `request` gets its copy.
-Outcome<Done> configure(PackageBuild& request, const BuildTools& tools,
-                        const Cancellation& cancellation,
-                        const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments = configure_arguments(request, tools, more);
+/// Unless the last one would be the same. `from`: the package's folder or a copy of it; `more`:
+/// arguments besides. The result is the folder that CMake read: of a package that asks for a newer
+/// CMake, a copy that is configured as far as this one can (older_cmake.hpp).
+Outcome<fs::path> configure(const PackageBuild& request, const BuildTools& tools,
+                            const fs::path& from, const Cancellation& cancellation,
+                            const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = configure_arguments(request, tools, from, more);
   std::vector<std::string> inputs = arguments;
   const auto c_messages = included_c_messages(request);
   if (!c_messages) return c_messages.errors();
@@ -168,12 +167,13 @@ Outcome<Done> configure(PackageBuild& request, const BuildTools& tools,
   // Where CMake looks for programs.
   if (const auto path = tools.tool_environment.find("PATH"); path != tools.tool_environment.end())
     inputs.push_back(path->second);
-  const auto key = configure_key(request.work, source_of(request), inputs);
+  const auto key = configure_key(request.work, from, inputs);
   if (!key) return key.errors();
-  if (reuse_configure(request.work, *key, request.final_prefix)) return Done{};
+  if (reuse_configure(request.work, *key, request.final_prefix)) return from;
   arguments.push_back("-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string());
   if (!c_messages->empty()) {
-    if (auto done = make_c_messages(*c_messages, request, tools, cancellation); !done) return done;
+    if (auto made = make_c_messages(*c_messages, request, tools, cancellation); !made)
+      return std::move(made).errors();
     for (const char* language : {"C", "CXX"})
       arguments.push_back("-DCMAKE_" + std::string(language) +
                           "_STANDARD_INCLUDE_DIRECTORIES=" + c_messages_folder(request).string());
@@ -185,18 +185,25 @@ Outcome<Done> configure(PackageBuild& request, const BuildTools& tools,
                                    .directory = request.work},
                                   cancellation);
   if (!result) return result.errors();
-  if (result->exit_code == 0) return keep_configure(request.work, *key, request.final_prefix);
-  const std::string output = told(*result, request);
-  const auto newer =
-      request.copy.empty() ? asks_for_newer_cmake(output, request.place) : std::nullopt;
+  if (result->exit_code == 0) {
+    if (auto kept = keep_configure(request.work, *key, request.final_prefix); !kept)
+      return std::move(kept).errors();
+    return from;
+  }
+  const std::string output = told(*result, request, from);
+  const bool is_copy = from != request.place.source;
+  const auto newer = is_copy ? std::nullopt : asks_for_newer_cmake(output, request.place);
   if (!newer) return configure_errors(output, request.place);
   auto copy = copy_for_older_cmake(request.work, request.place.source, newer->there);
   if (!copy) return std::move(copy).errors();
-  request.copy = std::move(*copy);
-  auto done = configure(request, tools, cancellation, more);
-  if (done)
-    return write_file(request.work / kConfigureFindings, diagnostics_to_json({newer->warning}));
-  Diagnostics errors = std::move(done).errors();
+  auto read = configure(request, tools, *copy, cancellation, more);
+  if (read) {
+    auto written =
+        write_file(request.work / kConfigureFindings, diagnostics_to_json({newer->warning}));
+    if (!written) return std::move(written).errors();
+    return read;
+  }
+  Diagnostics errors = std::move(read).errors();
   for (Diagnostic& one : errors) one.why.push_back(newer->warning.message);
   return errors;
 }
@@ -268,8 +275,9 @@ Outcome<Done> remember_findings(std::string_view ninja_output,
                                                                std::move(fresh), *build));
 }
 
-/// `lacks`: becomes what is the only reason of its failure.
-Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
+/// `read`: the folder that configure() gave. `lacks` becomes what is the only reason of its
+/// failure.
+Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools, const fs::path& read,
                       const Cancellation& cancellation, const ProgressSink& progress,
                       std::optional<ProgramLacks>& lacks) {
   if (auto cleared = remove_tree(request.work / kLinkDiagnostics); !cleared) return cleared;
@@ -280,10 +288,11 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
                                   cancellation);
   if (!result) return result.errors();
   const auto links = link_findings(request.work / kLinkDiagnostics);
-  if (auto kept = remember_findings(with_own_paths(result->output, request), links, request); !kept)
+  if (auto kept = remember_findings(with_own_paths(result->output, request, read), links, request);
+      !kept)
     return kept;
   if (result->exit_code == 0) return Done{};
-  const std::string output = told(*result, request);
+  const std::string output = told(*result, request, read);
   Diagnostics errors = compile_errors(output, request.place);
   const bool has_compile_errors = !errors.empty();
   for (const LinkFindings& link : links)
@@ -300,7 +309,7 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
   return errors;
 }
 
-Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
+Outcome<Done> install(const PackageBuild& request, const BuildTools& tools, const fs::path& read,
                       const Cancellation& cancellation) {
   const auto result = run_process({.arguments = {"cmake", "--install", request.work.string(),
                                                  "--prefix", request.install.string()},
@@ -311,7 +320,7 @@ Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
   if (result->exit_code == 0) return Done{};
   return Diagnostic{.code = "R2W0508",
                     .message = "package `" + request.place.package + "` does not install",
-                    .detail = told(*result, request)};
+                    .detail = told(*result, request, read)};
 }
 
 /// With the package: what was said of it, and which programs are not in it.
@@ -333,7 +342,8 @@ Outcome<Done> keep_all_findings(const PackageBuild& request, const ProgramLacks&
 }
 
 /// The package without the programs that lack something. Fails when they are not programs, or all.
-Outcome<Done> build_without(ProgramLacks lacks, PackageBuild request, const BuildTools& tools,
+Outcome<Done> build_without(ProgramLacks lacks, const PackageBuild& request,
+                            const BuildTools& tools, const fs::path& from,
                             const Cancellation& cancellation, const ProgressSink& progress) {
   std::string lines = left_out_script(lacks.headers);
   for (const LinkFindings& link : lacks.limits) {
@@ -344,35 +354,35 @@ Outcome<Done> build_without(ProgramLacks lacks, PackageBuild request, const Buil
   }
   const fs::path script = request.work / "missing_headers.cmake";
   if (auto done = write_file(script, lines); !done) return done;
-  auto done =
-      configure(request, tools, cancellation, {"-DROS2WASM_MISSING_HEADERS=" + script.string()});
-  if (!done) return done;
+  const auto read = configure(request, tools, from, cancellation,
+                              {"-DROS2WASM_MISSING_HEADERS=" + script.string()});
+  if (!read) return read.errors();
   std::optional<ProgramLacks> still_lacking;
-  done = compile(request, tools, cancellation, progress, still_lacking);
+  auto done = compile(request, tools, *read, cancellation, progress, still_lacking);
   if (!done) return done;
-  done = install(request, tools, cancellation);
+  done = install(request, tools, *read, cancellation);
   if (!done) return done;
   return keep_all_findings(request, lacks);
 }
 
 }  // namespace
 
-Outcome<Done> build_with_cmake(const PackageBuild& asked, const BuildTools& tools,
+Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
                                const Cancellation& cancellation, const ProgressSink& progress) {
   if (!find_program("cmake")) return missing_tool("cmake", "cmake");
   if (!find_program("ninja")) return missing_tool("ninja", "ninja-build");
-  PackageBuild request = asked;
   std::error_code ignored;
   fs::remove(request.work / kConfigureFindings, ignored);  // of the configure that follows
-  if (auto configured = configure(request, tools, cancellation); !configured) return configured;
+  const auto read = configure(request, tools, request.place.source, cancellation);
+  if (!read) return read.errors();
   std::optional<ProgramLacks> lacks;
-  if (auto compiled = compile(request, tools, cancellation, progress, lacks); !compiled) {
+  if (auto compiled = compile(request, tools, *read, cancellation, progress, lacks); !compiled) {
     forget_configure(request.work);
     const bool is_rest_built =
-        lacks && build_without(std::move(*lacks), request, tools, cancellation, progress);
+        lacks && build_without(std::move(*lacks), request, tools, *read, cancellation, progress);
     return is_rest_built ? Outcome<Done>(Done{}) : compiled;
   }
-  if (auto installed = install(request, tools, cancellation); !installed) return installed;
+  if (auto installed = install(request, tools, *read, cancellation); !installed) return installed;
   return keep_all_findings(request, {});
 }
 

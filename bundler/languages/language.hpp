@@ -36,7 +36,6 @@ struct BuildTools {
 /// One package to build.
 struct PackageBuild {
   BuildPlace place;
-  std::filesystem::path copy = {};  ///< of the sources, when CMake reads one (older_cmake.hpp)
   std::vector<std::filesystem::path>
       prefixes;  ///< where its dependencies are installed, nearest first
   std::filesystem::path

@@ -177,6 +177,9 @@ Outcome<fs::path> configure(const PackageBuild& request, const BuildTools& tools
     for (const char* language : {"C", "CXX"})
       arguments.push_back("-DCMAKE_" + std::string(language) +
                           "_STANDARD_INCLUDE_DIRECTORIES=" + c_messages_folder(request).string());
+    if (has_own_c_messages(*c_messages, request))
+      arguments.push_back("-DCMAKE_PROJECT_" + request.place.package +
+                          "_INCLUDE=" + (tools.c_messages / "own_messages.cmake").string());
   }
   std::error_code ignored;
   fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved

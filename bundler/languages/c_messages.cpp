@@ -38,6 +38,13 @@ bool is_installed(const std::string& header, const std::vector<fs::path>& prefix
   });
 }
 
+/// One that the package has written itself.
+bool is_among(const std::vector<SeenSource>& sources, const std::string& header) {
+  return std::any_of(sources.begin(), sources.end(), [&](const SeenSource& one) {
+    return one.path == header + ".h" || one.path.ends_with("/" + header + ".h");
+  });
+}
+
 }  // namespace
 
 std::set<std::string> c_message_headers(std::string_view text) {
@@ -75,13 +82,19 @@ Outcome<std::set<std::string>> included_c_messages(const PackageBuild& request) 
     }
   }
   std::erase_if(headers, [&](const std::string& one) {
-    return one.starts_with(request.place.package + "/") || is_installed(one, request.prefixes);
+    return is_installed(one, request.prefixes) || is_among(*sources, one);
   });
   return headers;
 }
 
 fs::path c_messages_folder(const PackageBuild& request) {
   return request.work / kFolder;
+}
+
+bool has_own_c_messages(const std::set<std::string>& headers, const PackageBuild& request) {
+  return std::any_of(headers.begin(), headers.end(), [&](const std::string& one) {
+    return one.starts_with(request.place.package + "/");
+  });
 }
 
 Outcome<Done> make_c_messages(const std::set<std::string>& headers, const PackageBuild& request,
@@ -94,6 +107,10 @@ Outcome<Done> make_c_messages(const std::set<std::string>& headers, const Packag
   for (const fs::path& prefix : request.prefixes) {
     arguments.emplace_back("--share");
     arguments.push_back((prefix / "share").string());
+  }
+  if (has_own_c_messages(headers, request)) {
+    arguments.insert(arguments.end(), {"--own-package", request.place.package, "--own-source",
+                                       request.place.source.string()});
   }
   arguments.insert(arguments.end(), headers.begin(), headers.end());
   const auto result = run_process({.arguments = std::move(arguments),

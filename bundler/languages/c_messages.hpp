@@ -15,11 +15,15 @@ namespace ros2wasm {
 [[nodiscard]] std::set<std::string> c_message_headers(std::string_view text);
 
 /// Those that the package includes, itself or by headers of what it needs from the workspace, and
-/// that nobody installs. Messages of the package itself are not among them.
+/// that nobody installs and the package does not have among its sources. Also of its own messages.
 [[nodiscard]] Outcome<std::set<std::string>> included_c_messages(const PackageBuild& request);
 
 /// The include folder of the headers that are made.
 [[nodiscard]] std::filesystem::path c_messages_folder(const PackageBuild& request);
+
+/// Whether some are of the package's own messages, which nobody has installed yet.
+[[nodiscard]] bool has_own_c_messages(const std::set<std::string>& headers,
+                                      const PackageBuild& request);
 
 /// Makes them, and the headers of the messages in their fields. R2W0506.
 Outcome<Done> make_c_messages(const std::set<std::string>& headers, const PackageBuild& request,

@@ -1,11 +1,12 @@
 """
 Writes the C headers of messages, services and actions that a package includes, and of all that these hold.
 
-  c_headers.py --output DIR --share DIR [--share DIR ...] PACKAGE/KIND/NAME [...]
+  c_headers.py --output DIR --share DIR [--share DIR ...] [--own-package NAME --own-source DIR] PACKAGE/KIND/NAME [...]
 
 NAME is that of the header, in small letters. Structures and functions are those of Debian's rosidl_generator_c; the
 functions' definitions stand in the headers, weak, so that no library is to be linked. A name that no folder of
-`--share` has is passed over: the compiler says so.
+`--share` has is passed over: the compiler says so. Messages of the package that is built are not installed yet: they
+are read from its sources, in folders `msg`, `srv` and `action`.
 """
 from __future__ import annotations
 
@@ -13,8 +14,10 @@ import argparse
 import json
 import re
 import shutil
+import tempfile
 from pathlib import Path
 
+from rosidl_adapter import convert_to_idl
 from rosidl_generator_c import generate_c
 from rosidl_pycommon import convert_camel_case_to_lower_case_underscore as small
 
@@ -58,6 +61,21 @@ def with_needs(wanted: list[Interface], shares: list[Path]) -> list[Interface]:
         text = idl_file(one, shares).read_text(encoding='utf-8')
         pending += [(package, kind, name) for package, kind, name in INCLUDE.findall(text)]
     return sorted(found)
+
+
+def own_share(package: str, source: Path, share: Path) -> None:
+    """Writes `share/PACKAGE/KIND/NAME.idl` of each definition among the package's sources."""
+    for kind in ('msg', 'srv', 'action'):
+        for file in sorted([*source.rglob(f'{kind}/*.{kind}'), *source.rglob(f'{kind}/*.idl')]):
+            inside = file.relative_to(source)
+            place = share / package / kind / f'{file.stem}.idl'
+            if any(part.startswith('.') for part in inside.parts) or place.exists():
+                continue
+            place.parent.mkdir(parents=True, exist_ok=True)
+            if file.suffix == '.idl':
+                shutil.copyfile(file, place)
+            else:
+                convert_to_idl(source, package, inside, share / package)
 
 
 def visibility(package: str) -> str:
@@ -108,14 +126,25 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--output', type=Path, required=True)
     parser.add_argument('--share', type=Path, action='append', default=[])
+    parser.add_argument('--own-package')
+    parser.add_argument('--own-source', type=Path)
     parser.add_argument('headers', nargs='+')
     options = parser.parse_args()
-    asked = (interface_of(header, options.share) for header in options.headers)
-    interfaces = with_needs([one for one in asked if one is not None], options.share)
-    shutil.rmtree(options.output, ignore_errors=True)
-    shutil.copytree(HEADERS, options.output)
+    with tempfile.TemporaryDirectory(prefix='ros2wasm-c-messages-') as folder:
+        shares = list(options.share)
+        if options.own_package is not None:
+            own_share(options.own_package, options.own_source, Path(folder))
+            shares.insert(0, Path(folder))
+        write_all(options.headers, shares, options.output)
+
+
+def write_all(headers: list[str], shares: list[Path], output: Path) -> None:
+    asked = (interface_of(header, shares) for header in headers)
+    interfaces = with_needs([one for one in asked if one is not None], shares)
+    shutil.rmtree(output, ignore_errors=True)
+    shutil.copytree(HEADERS, output)
     for package in sorted({one[0] for one in interfaces}):
-        write_package(package, [one for one in interfaces if one[0] == package], options.share, options.output)
+        write_package(package, [one for one in interfaces if one[0] == package], shares, output)
 
 
 if __name__ == '__main__':

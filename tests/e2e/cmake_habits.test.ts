@@ -6,7 +6,7 @@
 //
 // Compatibility, works: packages without a package.xml, by the name in their CMakeLists.txt, and packages that depend on them
 //
-// Compatibility, works: C headers of messages (`geometry_msgs/msg/transform_stamped.h`) in C and C++: structures, `__init`, `__fini`,
+// Compatibility, works: C headers of messages (`geometry_msgs/msg/transform_stamped.h`), also of the package's own, in C and C++: structures, `__init`, `__fini`,
 // `__create`, `__destroy`, `__copy`, `__are_equal`, lists and texts of rosidl_runtime_c
 //
 // Compatibility, cannot: type support of C messages (`ROSIDL_GET_MSG_TYPE_SUPPORT` in C) -> the linker (R2W0504), as there is no rclc;
@@ -139,6 +139,42 @@ extern "C" void more(const geometry_msgs__msg__TransformStamped * transform) {
 }
 `,
 
+  // --- C messages of the package itself
+  'src/own_c/package.xml': HEAD('own_c', `${AMENT}
+  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n  <depend>geometry_msgs</depend>
+  <exec_depend>rosidl_default_runtime</exec_depend>\n  <member_of_group>rosidl_interface_packages</member_of_group>`),
+  'src/own_c/msg/Wheel.msg': 'string name\nfloat64 radius 0.25\n',
+  'src/own_c/msg/WheelList.msg': 'Wheel[] wheels\ngeometry_msgs/Vector3 offset\nint32 MOST=4\n',
+  'src/own_c/srv/SetWheel.srv': 'Wheel wheel\n---\nbool good\n',
+  'src/own_c/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
+project(own_c)
+find_package(ament_cmake REQUIRED)
+find_package(geometry_msgs REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(\${PROJECT_NAME} "msg/Wheel.msg" "msg/WheelList.msg" "srv/SetWheel.srv" DEPENDENCIES geometry_msgs)
+add_executable(wheels own_c.c)
+rosidl_get_typesupport_target(c_typesupport \${PROJECT_NAME} "rosidl_typesupport_c")
+target_link_libraries(wheels "\${c_typesupport}")
+install(TARGETS wheels DESTINATION lib/own_c)
+ament_export_dependencies(rosidl_default_runtime)
+ament_package()
+`,
+  'src/own_c/own_c.c': `#include <stdio.h>
+#include "own_c/msg/wheel_list.h"
+#include "own_c/srv/set_wheel.h"
+int main(void)
+{
+  own_c__msg__WheelList list;
+  own_c__msg__WheelList__init(&list);
+  own_c__msg__Wheel__Sequence__init(&list.wheels, own_c__msg__WheelList__MOST);
+  own_c__srv__SetWheel_Request * request = own_c__srv__SetWheel_Request__create();
+  printf("own: %d wheels of %.2f, %.2f\\n", (int)list.wheels.size, list.wheels.data[3].radius, request->wheel.radius);
+  own_c__srv__SetWheel_Request__destroy(request);
+  own_c__msg__WheelList__fini(&list);
+  return 0;
+}
+`,
+
   // --- project() first, with a library of its own
   'src/early/package.xml': HEAD('early', AMENT),
   'src/early/CMakeLists.txt': `project(early)
@@ -211,7 +247,8 @@ before(async () => {
 name: habits
 packages: [src/*]
 launch:
-${['newer', 'a_user', 'in_c', 'early', 'optional'].map((one) => `  - {package: ${one}, executable: ${one}}\n`).join('')}  - {package: scripts, executable: levels}
+${['newer', 'a_user', 'in_c', 'early', 'optional'].map((one) => `  - {package: ${one}, executable: ${one}}\n`).join('')}  - {package: own_c, executable: wheels}
+  - {package: scripts, executable: levels}
 `);
   packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
@@ -245,6 +282,10 @@ test('C headers of messages have structures and functions', () => {
   assert.match(said, /^\[in_c-3\] C\+\+: 1\.5$/m);
 });
 
+test('C headers of the messages of the package itself are made before they are installed', () => {
+  assert.match(said, /^\[wheels-6\] own: 4 wheels of 0\.25, 0\.25$/m);
+});
+
 test('project() may come before cmake_minimum_required()', () => {
   assert.match(said, /^\[early-4\] project\(\) came first$/m);
 });
@@ -254,6 +295,6 @@ test('a library that a Find module does not find takes only what links it along'
 });
 
 test('scripts of a setup.cfg that CMake installs run, with messages of a package that does not look for ament_cmake', () => {
-  assert.match(said, /^\[levels-6\] the level is 4$/m);
+  assert.match(said, /^\[levels-7\] the level is 4$/m);
   assert.ok(existsSync(join(workspace.root, 'site/site.json')));
 });

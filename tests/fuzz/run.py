@@ -12,13 +12,13 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-# Guarantee, hostile input: any text as a version, spec, manifest, lock, index, shard, archive, launch file, signature
-# or key: fuzzed with a corpus under the address and undefined behaviour sanitizers
+# Guarantee, hostile input: any text as a version, spec, manifest, lock, index, shard, archive, launch file, signature,
+# key or file that a student hands in: fuzzed with a corpus under the address and undefined behaviour sanitizers
 ROOT = Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 BUILD = ROOT / "build-fuzz"
 TARGETS = ["version", "match_spec", "repodata", "shards", "manifest", "lock", "archive", "launch",
-           "signature"]
+           "signature", "progress"]
 
 
 def build(targets: list[str]) -> bool:

@@ -65,38 +65,27 @@ std::string title_of(const SitePlan& plan) {
   return {};
 }
 
-/// Place in the course -> sha256, of what a site of it has, site.json too.
-Outcome<std::map<std::string, std::string>> files_of_site(const fs::path& folder,
-                                                          const std::string& name) {
+/// Of what a site of the course has.
+Outcome<PlaceHashes> files_of_site(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / name / kSiteJsonName;
   const auto text = read_file(file, kMostOfSiteJson);
   if (!text) return text.errors();
   const auto list = read_site_list(*text, file.string());
   if (!list) return list.errors();
-  std::map<std::string, std::string> files{{name + "/" + kSiteJsonName, list->hash}};
-  for (const ListedFile& one : list->files) {
-    const std::vector<std::string> places = places_of(one, *list);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      files[(fs::path(name) / places[i]).lexically_normal().generic_string()] =
-          one.parts.empty() ? one.sha256 : one.parts[i].sha256;
-    }
-  }
-  return files;
+  return places_of_lab(*list, name);
 }
 
 /// `sha256sum --check` finds all that the course's labs have now.
 Outcome<std::string> course_hash_list(const fs::path& folder, const CourseReport& report,
                                       const std::vector<PlannedFile>& own) {
-  std::map<std::string, std::string> all;
+  PlaceHashes all;
   for (const PlannedFile& file : own) all[file.path] = file.sha256;
   for (const PackedLab& lab : report.labs) {
     auto files = files_of_site(folder, lab.name);
     if (!files) return std::move(files).errors();
     all.merge(*files);
   }
-  std::string text;
-  for (const auto& [path, sha256] : all) text += sha256 + "  " + path + "\n";
-  return text;
+  return hash_list(all);
 }
 
 /// Folders that are sites, but of none of the labs; and what no site names.

@@ -81,11 +81,30 @@ PythonValue length(const Arguments& a) {
   return {static_cast<std::int64_t>(python_iterated(a.values[0]).size())};
 }
 
+/// Appends in place what `+` would copy with all that comes before it. False: these are not lists.
+bool appended(PythonValue& sum, const PythonValue& more) {
+  auto* list = std::get_if<PythonList>(&sum.held);
+  const auto* items = std::get_if<PythonList>(&more.held);
+  if (list == nullptr || items == nullptr) return false;
+  if (list->size() + items->size() > kPythonLongest)
+    python_fault("MemoryError: the result is too long");
+  list->insert(list->end(), items->begin(), items->end());
+  return true;
+}
+
 PythonValue summed(const Arguments& a) {
   const PythonValue* start = argument(a, 1, "start");
   PythonValue result = start != nullptr ? *start : PythonValue{std::int64_t{0}};
-  for (const PythonValue& one : python_iterated(a.values[0]))
+  if (std::holds_alternative<std::string>(result.held))
+    python_fault("TypeError: sum() can't sum strings [use ''.join(seq) instead]");
+  // Sums of tuples copy: few are long.
+  std::size_t copied = 0;
+  for (const PythonValue& one : python_iterated(a.values[0])) {
+    if (appended(result, one)) continue;
     result = python_arithmetic("+", result, one);
+    if (const PythonList* items = python_items(result)) copied += items->size();
+    if (copied > 16 * kPythonLongest) python_fault("TimeoutError: this is too much work");
+  }
   return result;
 }
 

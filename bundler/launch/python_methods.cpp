@@ -75,8 +75,8 @@ PythonList split(const std::string& text, const Arguments& a) {
   if (by.empty()) python_fault("ValueError: empty separator");
   PythonList result;
   std::size_t begin = 0;
-  for (std::size_t at = text.find(by); at != std::string::npos && most != 0;
-       at = text.find(by, begin), --most) {
+  for (std::size_t at = python_find(text, by); at != std::string::npos && most != 0;
+       at = python_find(text, by, begin), --most) {
     result.push_back({text.substr(begin, at - begin)});
     begin = at + by.size();
   }
@@ -88,15 +88,21 @@ PythonList split_from_end(const std::string& text, const Arguments& a) {
   if (a.values.size() < 2) return split(text, a);
   const std::string& by = text_at(a.values, 0);
   if (by.empty()) python_fault("ValueError: empty separator");
-  std::string rest = text;
+  // From the beginning of the text in reverse.
+  const std::string reversed(text.rbegin(), text.rend());
+  const std::string mark(by.rbegin(), by.rend());
   PythonList result;
+  std::size_t begin = 0;
+  const auto add_until = [&](std::size_t end) {
+    result.push_back({text.substr(text.size() - end, end - begin)});
+  };
   for (std::int64_t most = python_whole(a.values[1]); most != 0; --most) {
-    const std::size_t at = rest.rfind(by);
+    const std::size_t at = python_find(reversed, mark, begin);
     if (at == std::string::npos) break;
-    result.push_back({rest.substr(at + by.size())});
-    rest.resize(at);
+    add_until(at);
+    begin = at + mark.size();
   }
-  result.push_back({rest});
+  add_until(text.size());
   std::reverse(result.begin(), result.end());
   return result;
 }
@@ -117,7 +123,8 @@ std::string replaced(const std::string& text, const Arguments& a) {
   if (what.empty()) python_fault("ValueError: empty text to replace");
   std::string result;
   std::size_t begin = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, begin)) {
+  for (std::size_t at = python_find(text, what); at != std::string::npos;
+       at = python_find(text, what, begin)) {
     result += text.substr(begin, at - begin) + with;
     begin = at + what.size();
     if (result.size() > kPythonLongest) python_fault("MemoryError: the result is too long");
@@ -152,8 +159,8 @@ PythonValue place(std::size_t at) {
 std::int64_t times(const std::string& text, const std::string& part) {
   if (part.empty()) python_fault("ValueError: an empty text cannot be counted");
   std::int64_t result = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos;
-       at = text.find(part, at + part.size()))
+  for (std::size_t at = python_find(text, part); at != std::string::npos;
+       at = python_find(text, part, at + part.size()))
     ++result;
   return result;
 }
@@ -186,11 +193,11 @@ const std::map<std::string, TextMethod, std::less<>>& text_methods() {
        [](S s, A) { return PythonValue{titled(changed_case(s, std::tolower), true)}; }},
       {"count", [](S s, A a) { return PythonValue{times(s, text_at(a.values, 0))}; }},
       {"endswith", [](S s, A a) { return any_fits(a, [&](S end) { return s.ends_with(end); }); }},
-      {"find", [](S s, A a) { return place(s.find(text_at(a.values, 0))); }},
+      {"find", [](S s, A a) { return place(python_find(s, text_at(a.values, 0))); }},
       {"format", [](S s, A a) { return PythonValue{python_formatted(s, a)}; }},
       {"index",
        [](S s, A a) {
-         const std::size_t at = s.find(text_at(a.values, 0));
+         const std::size_t at = python_find(s, text_at(a.values, 0));
          if (at == std::string::npos) python_fault("ValueError: substring not found");
          return place(at);
        }},
@@ -214,7 +221,7 @@ const std::map<std::string, TextMethod, std::less<>>& text_methods() {
          return PythonValue{s.ends_with(part) ? s.substr(0, s.size() - part.size()) : s};
        }},
       {"replace", [](S s, A a) { return PythonValue{replaced(s, a)}; }},
-      {"rfind", [](S s, A a) { return place(s.rfind(text_at(a.values, 0))); }},
+      {"rfind", [](S s, A a) { return place(python_rfind(s, text_at(a.values, 0))); }},
       {"rjust", [](S s, A a) { return PythonValue{padded(s, width_at(a), true)}; }},
       {"rsplit", [](S s, A a) { return PythonValue{split_from_end(s, a)}; }},
       {"rstrip", [](S s, A a) { return PythonValue{stripped(s, a, false, true)}; }},

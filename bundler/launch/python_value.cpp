@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 namespace ros2wasm {
 namespace {
@@ -135,7 +136,7 @@ bool contains(const PythonValue& part, const PythonValue& whole) {
     if (wanted == nullptr)
       python_fault("TypeError: 'in <string>' requires string as left operand, not " +
                    std::string(python_type(part)));
-    return text->find(*wanted) != std::string::npos;
+    return python_find(*text, *wanted) != std::string::npos;
   }
   python_fault("TypeError: argument of type '" + std::string(python_type(whole)) +
                "' is not iterable");
@@ -277,6 +278,20 @@ bool python_equal(const PythonValue& a, const PythonValue& b) {
     return *function == std::get<std::shared_ptr<const PythonFunction>>(b.held);
   using Namespace = std::shared_ptr<const PythonNamespace>;
   return std::get<Namespace>(a.held) == std::get<Namespace>(b.held);
+}
+
+std::size_t python_find(std::string_view text, std::string_view part, std::size_t from) {
+  if (from > text.size()) return std::string_view::npos;
+  // The C libraries of Linux and of Emscripten search in linear time here.
+  const void* found = memmem(text.data() + from, text.size() - from, part.data(), part.size());
+  if (found == nullptr) return std::string_view::npos;
+  return static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
+}
+
+std::size_t python_rfind(std::string_view text, std::string_view part) {
+  const std::size_t at =
+      python_find(std::string(text.rbegin(), text.rend()), std::string(part.rbegin(), part.rend()));
+  return at == std::string_view::npos ? at : text.size() - at - part.size();
 }
 
 bool python_compare(std::string_view op, const PythonValue& a, const PythonValue& b) {

@@ -88,6 +88,12 @@ struct PythonNamespace {
 [[nodiscard]] PythonValue python_arithmetic(std::string_view op, const PythonValue& a,
                                             const PythonValue& b);
 /// `op` is one of < <= > >= == != in.
+/// As std::string_view::find() and rfind(), whose time is the product of both sizes, in a time that
+/// is their sum.
+[[nodiscard]] std::size_t python_find(std::string_view text, std::string_view part,
+                                      std::size_t from = 0);
+[[nodiscard]] std::size_t python_rfind(std::string_view text, std::string_view part);
+
 [[nodiscard]] bool python_compare(std::string_view op, const PythonValue& a, const PythonValue& b);
 [[nodiscard]] PythonValue python_negated(const PythonValue& value);
 [[nodiscard]] PythonValue python_item(const PythonValue& of, const PythonValue& index);

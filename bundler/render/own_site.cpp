@@ -57,6 +57,8 @@ bool is_site_of_ours(const fs::path& folder) {
 bool is_course_of_ours(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / kCourseJsonName, error)) return false;
+  // One with a site.json is a site, whose files a course.json must not hide.
+  if (fs::exists(fs::symlink_status(folder / "site.json", error))) return false;
   const auto text = read_file(folder / kCourseJsonName, kMostOfList);
   return text && is_site_json_of_ours(*text);
 }

@@ -13,7 +13,7 @@ namespace ros2wasm {
 /// By its site.json.
 [[nodiscard]] bool is_site_of_ours(const std::filesystem::path& folder);
 
-/// By its course.json.
+/// By its course.json, unless it is a site.
 [[nodiscard]] bool is_course_of_ours(const std::filesystem::path& folder);
 
 /// By its marker (kStoreMarker), and by nothing else: others have folders with hashes as names,

@@ -8,6 +8,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/course_page.hpp"
+#include "bundler/verify/site_list.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
@@ -38,6 +39,28 @@ Outcome<std::vector<std::string>> unlisted_beside_labs(const fs::path& folder,
   return result;
 }
 
+Diagnostic other_bytes(const std::string& path, std::string why) {
+  return Diagnostic{.code = "R2W0650",
+                    .message = "`" + path + "` is not the file that the course was packed with",
+                    .why = {std::move(why)},
+                    .fix = {}};
+}
+
+/// The file itself and its compressed forms, which a server sends in its place. R2W0210.
+Outcome<Done> check_own_file(const fs::path& folder, const ListedFile& file, Diagnostics& faults) {
+  const auto hashes = hash_file(folder / file.path);
+  if (!hashes) return hashes.errors();
+  if (hashes->sha256 != file.sha256) {
+    faults.push_back(other_bytes(
+        file.path, "its sha256 is " + hashes->sha256 + ", by course.json " + file.sha256));
+  }
+  const auto none_taken = [](std::string_view) { return false; };
+  const auto wrong = wrong_compressed(folder / file.path, file.size, file.sha256, none_taken);
+  if (wrong)
+    faults.push_back(other_bytes(file.path + *wrong, "it does not unpack to `" + file.path + "`"));
+  return Done{};
+}
+
 /// `objects` of `../objects/`; empty for a store elsewhere.
 std::string store_beside_labs(const SiteStore& store) {
   constexpr std::string_view kUp = "../";
@@ -61,21 +84,22 @@ Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellatio
                 .faults = {},
                 .unlisted = {}};
   for (std::size_t i = 0; i < course->files.size(); ++i) {
-    const std::string& path = course->files[i];
-    const auto hashes = hash_file(folder / path);
-    if (!hashes) return hashes.errors();
-    all.list.files.push_back({.path = path,
+    all.list.files.push_back({.path = course->files[i],
                               .size = course->sizes[i].size,
                               .sha256 = course->sizes[i].sha256,
                               .reason = {}});
-    if (hashes->sha256 == course->sizes[i].sha256) continue;
-    all.faults.push_back(
-        Diagnostic{.code = "R2W0650",
-                   .message = "`" + path + "` is not the file that the course was packed with",
-                   .why = {"its sha256 is " + hashes->sha256 + ", course.json says " +
-                           course->sizes[i].sha256},
-                   .fix = {}});
+    if (auto looked = check_own_file(folder, all.list.files.back(), all.faults); !looked)
+      return std::move(looked).errors();
   }
+  // course.json is what the others are compared with; its own bytes are the course's hash.
+  if (auto looked = check_own_file(
+          folder,
+          {.path = kCourseJsonName, .size = text->size(), .sha256 = course->hash, .reason = {}},
+          all.faults);
+      !looked)
+    return std::move(looked).errors();
+  PlaceHashes hashes{{kCourseJsonName, course->hash}};
+  for (const ListedFile& file : all.list.files) hashes[file.path] = file.sha256;
   std::set<std::string> stores;
   for (const PackedLab& lab : course->labs) {
     auto check = check_site_folder(folder / lab.name, cancellation, progress);
@@ -92,12 +116,20 @@ Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellatio
       all.faults.push_back(std::move(fault));
     }
     stores.insert(store_beside_labs(check->list.store));
+    hashes.merge(places_of_lab(check->list, lab.name));
     for (const std::string& path : check->unlisted) all.unlisted.push_back(lab.name + "/" + path);
     for (ListedFile& file : check->list.files) {
       file.path = lab.name + "/" + file.path;
       all.list.files.push_back(std::move(file));
     }
   }
+  const std::string sums = hash_list(hashes);
+  if (auto looked = check_own_file(
+          folder,
+          {.path = kHashList, .size = sums.size(), .sha256 = sha256_hex(sums), .reason = {}},
+          all.faults);
+      !looked)
+    return std::move(looked).errors();
   auto beside = unlisted_beside_labs(folder, *course, stores);
   if (!beside) return std::move(beside).errors();
   all.unlisted.insert(all.unlisted.end(), beside->begin(), beside->end());

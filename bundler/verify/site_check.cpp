@@ -2,6 +2,7 @@
 #include "bundler/verify/site_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -128,15 +129,25 @@ bool is_form_of_listed(const std::vector<std::string>& listed, const std::string
   });
 }
 
-/// What no site.json lists, apart from itself, its signature and the channel that may lie beside a
+/// An archive or an index of the channel beside a site, by its name: no browser takes one for a
+/// page. What it says is checked by whoever packs from it.
+bool is_of_channel(const std::string& path) {
+  constexpr std::array<std::string_view, 5> kEndings{".conda", ".tar.bz2", "/repodata.json",
+                                                     ".json.zst", ".msgpack.zst"};
+  return path.starts_with(std::string(kShippedChannel) + "/") &&
+         std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return path.ends_with(ending); });
+}
+
+/// What no site.json lists, apart from itself, its signature and the channel that may be beside a
 /// site.
 std::vector<std::string> unlisted_of(const std::vector<std::string>& listed,
                                      const std::vector<TreeEntry>& tree) {
-  const std::string channel = std::string(kShippedChannel) + "/";
   std::vector<std::string> result;
   for (const TreeEntry& entry : tree) {
     if (entry.kind == FileKind::kDirectory || entry.path == kSignatureName ||
-        entry.path == kPublicKeyName || entry.path.starts_with(channel) ||
+        entry.path == kPublicKeyName ||
+        (entry.kind == FileKind::kFile && is_of_channel(entry.path)) ||
         is_listed(listed, entry.path) || is_form_of_listed(listed, entry.path))
       continue;
     result.push_back(entry.path);

@@ -53,11 +53,20 @@ std::string in_module(std::string_view first, std::string_view second, const Was
 
 bool same(const JsonValue& a, const JsonValue& b);
 
+/// Key -> value of an object, the last one where a key is there twice, as JsonValue::find(), which
+/// looks at all members for each key.
+std::map<std::string_view, const JsonValue*> by_key(const JsonValue& object) {
+  std::map<std::string_view, const JsonValue*> result;
+  for (const auto& [key, value] : object.members()) result.insert_or_assign(key, &value);
+  return result;
+}
+
 bool same_members(const JsonValue& a, const JsonValue& b) {
   if (a.members().size() != b.members().size()) return false;
+  const auto others = by_key(b);
   return std::all_of(a.members().begin(), a.members().end(), [&](const JsonValue::Member& member) {
-    const JsonValue* other = b.find(member.first);
-    return other != nullptr && same(member.second, *other);
+    const auto other = others.find(member.first);
+    return other != others.end() && same(member.second, *other->second);
   });
 }
 
@@ -85,14 +94,16 @@ std::string in_json(const std::string& at, const JsonValue& a, const JsonValue& 
                     std::string_view except = {}) {
   if (a.is_object() && b.is_object()) {
     const std::string dot = at.empty() ? "" : at + ".";
+    const auto firsts = by_key(a);
+    const auto others = by_key(b);
     for (const auto& [key, value] : a.members()) {
       if (key == except) continue;
-      const JsonValue* other = b.find(key);
-      if (other == nullptr) return "`" + dot + key + "`, which only the first has";
-      if (!same(value, *other)) return in_json(dot + key, value, *other);
+      const auto other = others.find(key);
+      if (other == others.end()) return "`" + dot + key + "`, which only the first has";
+      if (!same(value, *other->second)) return in_json(dot + key, value, *other->second);
     }
     for (const auto& [key, value] : b.members()) {
-      if (key != except && a.find(key) == nullptr)
+      if (key != except && !firsts.contains(key))
         return "`" + dot + key + "`, which only the second has";
     }
     return {};

@@ -2,6 +2,7 @@
 #include "bundler/verify/site_list.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "bundler/io/sha256.hpp"
@@ -11,6 +12,7 @@
 #include "workspace_schema/json_reader.hpp"
 
 namespace ros2wasm {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 40U;
@@ -151,6 +153,25 @@ std::string hash_list(const SiteList& list) {
   std::sort(files.begin(), files.end(),
             [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; });
   return hash_list(files);
+}
+
+PlaceHashes places_of_lab(const SiteList& list, const std::string& name) {
+  PlaceHashes files{{name + "/" + kSiteJsonName, list.hash}};
+  for (const ListedFile& one : list.files) {
+    const std::vector<std::string> places = places_of(one, list);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const fs::path place = fs::path(name) / places[i];
+      files[place.lexically_normal().generic_string()] =
+          one.parts.empty() ? one.sha256 : one.parts[i].sha256;
+    }
+  }
+  return files;
+}
+
+std::string hash_list(const PlaceHashes& files) {
+  std::string text;
+  for (const auto& [path, sha256] : files) text += sha256 + "  " + path + "\n";
+  return text;
 }
 
 }  // namespace ros2wasm

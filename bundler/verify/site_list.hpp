@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,5 +46,15 @@ struct SiteList {
 
 /// What its SHA256SUMS says.
 [[nodiscard]] std::string hash_list(const SiteList& list);
+
+/// Place -> sha256.
+using PlaceHashes = std::map<std::string, std::string>;
+
+/// The files of the site that is the folder `name` of a course, with its site.json, where they are
+/// in the course.
+[[nodiscard]] PlaceHashes places_of_lab(const SiteList& list, const std::string& name);
+
+/// A text for `sha256sum --check`.
+[[nodiscard]] std::string hash_list(const PlaceHashes& files);
 
 }  // namespace ros2wasm

@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "workspace_schema/source_text.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -68,35 +70,24 @@ std::optional<Command> read_command(std::string_view text, std::size_t& at) {
   return command;
 }
 
-SourceSpan span_at(std::string_view text, std::size_t at, std::size_t length,
-                   const std::string& file) {
-  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-  const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
-  return {.file = file,
-          .line = static_cast<std::uint32_t>(
-              1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
-          .column = static_cast<std::uint32_t>(at - start + 1),
-          .length = static_cast<std::uint32_t>(length),
-          .line_text = std::string(text.substr(start, text.find('\n', start) - start))};
-}
-
 /// Variables that hold what is written in the file, as far as set(), list(APPEND) and foreach()
-/// over such tell: a foreach()'s own has all its values at once.
+/// over such tell: a foreach()'s own has all its values at once. A file that makes lists of lists
+/// comes to an end: then variables stay as they were.
 class Variables {
  public:
   void follow(const Command& command) {
     const Words& words = command.words;
-    if (command.name == "set" && !words.empty()) values_[words[0].first] = expanded(words, 1);
-    if (command.name == "foreach" && !words.empty()) loop(words);
+    if (words.empty()) return;
+    if (command.name == "set") values_[words[0].first] = expanded(words, 1);
+    if (command.name == "foreach") loop(words);
     if (command.name == "list" && words.size() > 1 && words[0].first == "APPEND") {
       const Words more = expanded(words, 2);
-      Words& list = values_[words[1].first];
-      list.insert(list.end(), more.begin(), more.end());
+      add(more, values_[words[1].first]);
     }
   }
 
   /// What the words from `first` on are; a variable that is not known stays as it is.
-  [[nodiscard]] Words expanded(const Words& words, std::size_t first) const {
+  [[nodiscard]] Words expanded(const Words& words, std::size_t first) {
     Words result;
     for (; first < words.size(); ++first) {
       const std::string& word = words[first].first;
@@ -106,15 +97,24 @@ class Variables {
       if (found == values_.end())
         result.push_back(words[first]);
       else
-        result.insert(result.end(), found->second.begin(), found->second.end());
-      if (result.size() > kMostValues) break;
+        add(found->second, result);
     }
     return result;
   }
 
  private:
-  /// More than any list of packages; lists of lists stay small.
+  /// More than any list of packages has.
   static constexpr std::size_t kMostValues = 1000;
+  /// Values that are copied for one file, all in all.
+  static constexpr std::size_t kMostCopied = 200'000;
+
+  /// Appends what fits.
+  void add(const Words& more, Words& list) {
+    const std::size_t room = kMostValues - std::min(kMostValues, list.size());
+    const std::size_t count = std::min({more.size(), room, kMostCopied - copied_});
+    list.insert(list.end(), more.begin(), more.begin() + static_cast<std::ptrdiff_t>(count));
+    copied_ += count;
+  }
 
   void loop(const Words& words) {
     const bool has_in = words.size() > 2 && words[1].first == "IN";
@@ -125,12 +125,13 @@ class Variables {
     Words all;
     for (std::size_t i = 3; i < words.size(); ++i) {
       const auto list = values_.find(words[i].first);
-      if (list != values_.end()) all.insert(all.end(), list->second.begin(), list->second.end());
+      if (list != values_.end()) add(list->second, all);
     }
     values_[words[0].first] = std::move(all);
   }
 
   std::map<std::string, Words> values_;
+  std::size_t copied_ = 0;
 };
 
 /// The next command from `at` on, which becomes the place behind it.
@@ -171,14 +172,15 @@ std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const st
     for (const auto& [name, place] : variables.expanded({command->words.front()}, 0))
       asked.push_back({.name = name, .place = place, .is_required = is_required});
   }
+  const SourceText source(text, file);
+  std::set<std::string> known;
   std::vector<Spanned<std::string>> found;
   for (const Asked& one : asked) {
     if (!one.is_required && !needed.contains(one.name)) continue;
-    const auto same = [&](const Spanned<std::string>& other) { return other.value == one.name; };
     if (!std::all_of(one.name.begin(), one.name.end(), is_name_character) ||
-        std::any_of(found.begin(), found.end(), same))
+        !known.insert(one.name).second)
       continue;
-    found.push_back({.value = one.name, .span = span_at(text, one.place, one.name.size(), file)});
+    found.push_back({.value = one.name, .span = source.span(one.place, one.name.size())});
   }
   return found;
 }
@@ -200,8 +202,9 @@ std::optional<CMakeProject> cmake_project(std::string_view text, const std::stri
     if (!std::all_of(name.begin(), name.end(), is_name_character)) return std::nullopt;
     // It becomes the name of a folder: neither `..`, nor a hidden one, nor an option.
     if (name.empty() || name.front() == '.' || name.front() == '-') return std::nullopt;
-    CMakeProject project{.name = {.value = name, .span = span_at(text, place, name.size(), file)},
-                         .version = {}};
+    CMakeProject project{
+        .name = {.value = name, .span = SourceText(text, file).span(place, name.size())},
+        .version = {}};
     for (std::size_t i = 1; i + 1 < words.size(); ++i)
       if (words[i].first == "VERSION") project.version = words[i + 1].first;
     return project;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
+
+#include "workspace_schema/source_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -97,18 +100,6 @@ bool skip_to_name(std::string_view text, std::size_t& at, Form form) {
   return false;
 }
 
-SourceSpan span_at(std::string_view text, std::size_t at, std::size_t length,
-                   const std::string& file) {
-  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-  const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
-  return {.file = file,
-          .line = static_cast<std::uint32_t>(
-              1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
-          .column = static_cast<std::uint32_t>(at - start + 1),
-          .length = static_cast<std::uint32_t>(length),
-          .line_text = std::string(text.substr(start, text.find('\n', start) - start))};
-}
-
 }  // namespace
 
 bool is_launch_file_name(std::string_view name) {
@@ -118,6 +109,8 @@ bool is_launch_file_name(std::string_view name) {
 
 std::vector<Spanned<std::string>> launch_packages(std::string_view text, const std::string& file) {
   const std::string code = without_comments(std::string(text));
+  const SourceText source(text, file);
+  std::set<std::string> known;
   std::vector<Spanned<std::string>> found;
   for (std::size_t at = 0; at < code.size();) {
     if (!is_letter(code[at])) {
@@ -133,9 +126,8 @@ std::vector<Spanned<std::string>> launch_packages(std::string_view text, const s
     const std::size_t place = at;
     while (at < code.size() && is_letter(code[at])) ++at;
     const std::string name = code.substr(place, at - place);
-    const auto same = [&](const Spanned<std::string>& one) { return one.value == name; };
-    if (name.empty() || std::any_of(found.begin(), found.end(), same)) continue;
-    found.push_back({.value = name, .span = span_at(text, place, name.size(), file)});
+    if (name.empty() || !known.insert(name).second) continue;
+    found.push_back({.value = name, .span = source.span(place, name.size())});
   }
   return found;
 }

@@ -176,13 +176,16 @@ constexpr std::size_t kLongestPath = 4096;  ///< bytes; no file has a longer one
 /// Each character is looked at a few times only, whatever the line repeats.
 void images_of_line(std::string_view text, std::set<std::string>& known,
                     std::vector<std::string>& found) {
-  std::size_t words = 0;  // where the words of the image end
-  std::size_t end = 0;    // where its path does
+  std::size_t words = 0;     // where the words of the image end
+  std::size_t end = 0;       // where its path does
+  std::size_t answered = 0;  // the `words` before: many `![` may share them, and then the path, too
   for (std::size_t at = text.find("!["); at != std::string_view::npos;
        at = text.find("![", at + 2)) {
     if (at > 0 && text[at - 1] == '\\') continue;
     if (words < at + 2) words = text.find(']', at + 2);
     if (words == std::string_view::npos) return;
+    if (words == answered) continue;
+    answered = words;
     if (words + 1 >= text.size() || text[words + 1] != '(') continue;
     if (end < words + 2) end = text.find_first_of(" \t)", words + 2);
     if (end == std::string_view::npos) return;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace ros2wasm {
 namespace {
 
@@ -32,6 +34,19 @@ TEST(FirstDifference, NamesTheKeyOfAnObject) {
             "`c`, which only the first has");
   EXPECT_EQ(first_difference("a.json", R"({"a":1.5})", R"({"a":[]})"),
             "`a`: another value, the second has 0 items");
+}
+
+// Guarantee, hostile input: `diff` of lists with objects of a hundred thousand members takes no
+// square of their number
+TEST(FirstDifference, ObjectsOfManyMembers) {
+  std::string members;
+  for (int i = 0; i < 100'000; ++i) members += "\"k" + std::to_string(i) + "\":" + "0,";
+  const auto text = [&](const char* last) {
+    return R"({"a":{"b":{)" + members + "\"end\":" + last + "}}}";
+  };
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_EQ(first_difference("a.json", text("1"), text("2")), "`a.b.end`: `1`, the second has `2`");
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
 }
 
 TEST(FirstDifference, NamesTheLineOfATextAndTheByteOfAnythingElse) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace ros2wasm {
 namespace {
 
@@ -102,6 +104,14 @@ constexpr Case kCases[] = {
     {"round(3.5)", "4"},
     {"round(2.675, 2)", "2.67"},
     {"sum([1, 2, 3.5])", "6.5"},
+    {"sum([[1], [2, 3]], [])", "[1, 2, 3]"},
+    {"sum([(1,), (2, 3)], ())", "(1, 2, 3)"},
+    {"'abcabca'.rfind('abc')", "3"},
+    {"'abc'.rfind('')", "3"},
+    {"'abc'.find('d')", "-1"},
+    {"'a--b--c--'.rsplit('--', 2)", "['a--b', 'c', '']"},
+    {"'aaa'.rsplit('aa', 1)", "['a', '']"},
+    {"'' in 'a'", "True"},
     {"any([0, 1])", "True"},
     {"all([1, 0])", "False"},
     {"pi", "3.141592653589793"},
@@ -323,6 +333,19 @@ TEST(PythonExpression, HostileOnesEnd) {
   EXPECT_EQ(*evaluate_python("len(('a' * 200000).replace('a', 'bb'))", {}), "400000");
   EXPECT_FALSE(evaluate_python("'%99999d' % 1", {}).ok());
   EXPECT_FALSE(evaluate_python("x" + std::string(2000, '[') + "0", {}).ok());
+  // One call that copied or compared the product of two sizes.
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_EQ(*evaluate_python("len(sum([[0]] * 100000, []))", {}), "100000");
+  EXPECT_FALSE(evaluate_python("sum([(0,)] * 100000, ())", {}).ok());
+  for (const char* part : {"'a' * 500000 + 'b'", "'b' + 'a' * 500000"}) {
+    for (const char* call : {"count(", "find(", "rfind(", "split(", "replace('c', ", "endswith("}) {
+      const std::string one = "len(str(('a' * 1000000)." + std::string(call) + part + "))) > 0";
+      const auto value = evaluate_python(one, {});
+      ASSERT_TRUE(value) << one << ": " << value.errors().front().message;
+    }
+  }
+  EXPECT_EQ(*evaluate_python("'a' * 500000 + 'b' in 'a' * 1000000", {}), "False");
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
   std::string sum = "1";
   for (int i = 0; i < 2000; ++i) sum += "+1";
   EXPECT_EQ(*evaluate_python(sum, {}), "2001");

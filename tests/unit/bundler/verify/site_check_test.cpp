@@ -6,6 +6,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/render/own_site.hpp"
 #include "bundler/verify/course_check.hpp"
 #include "unit/bundler/support/temporary_tree.hpp"
 
@@ -26,37 +27,88 @@ TEST(SiteCheck, FilesThatNoListHas) {
   tree.write("site/evil.js", "x");
   tree.write("site/a.gz", "x");
   tree.write("site/channel/noarch/repodata.json", "x");
+  tree.write("site/channel/noarch/a-1-0.conda", "x");
+  tree.write("site/channel/noarch/index.html", "x");
+  tree.write("site/channel/page.svg", "x");
   tree.write("site/site.json.minisig", "x");
   std::filesystem::create_symlink("site.json", tree / "site/link");
   const auto check = check_site_folder(tree / "site", {}, {});
   ASSERT_TRUE(check);
   EXPECT_TRUE(check->faults.empty());
-  EXPECT_EQ(check->unlisted, (std::vector<std::string>{"a.gz", "evil.js", "link"}));
+  EXPECT_EQ(check->unlisted, (std::vector<std::string>{"a.gz", "channel/noarch/index.html",
+                                                       "channel/page.svg", "evil.js", "link"}));
   const Diagnostic warning = unlisted_files(check->unlisted, "site");
   EXPECT_EQ(warning.code, "R2W0653");
   EXPECT_EQ(warning.severity, Severity::kWarning);
   EXPECT_EQ(unlisted_files(std::vector<std::string>(9, "a"), "s").why.back(), "and 4 more");
 }
 
+/// A course of one lab, `one`, whose page is "x".
+void write_course(const testing::TemporaryTree& tree) {
+  write_empty_site(tree, "course/one");
+  const std::string json =
+      R"({"generator":"ros2wasm 0.1.0","labs":[{"name":"one","sha256":")" + sha256_hex(kEmptySite) +
+      R"("}],"files":[{"path":"index.html","size":1,"sha256":")" + sha256_hex("x") + R"("}]})";
+  tree.write("course/index.html", "x");
+  tree.write("course/course.json", json);
+  tree.write("course/SHA256SUMS", sha256_hex(json) + "  course.json\n" + sha256_hex("x") +
+                                      "  index.html\n" + sha256_hex(kEmptySite) +
+                                      "  one/site.json\n");
+}
+
+std::vector<std::string> faults_of_course(const testing::TemporaryTree& tree) {
+  const auto check = check_course_folder(tree / "course", {}, {});
+  std::vector<std::string> messages;
+  for (const Diagnostic& fault : check ? check->faults : check.errors())
+    messages.push_back(fault.code + ": " + fault.message);
+  return messages;
+}
+
 // Guarantee, verified: files beside the labs of a course that no list has are named as those in a
 // lab are
 TEST(SiteCheck, FilesBesideTheLabsOfACourse) {
   const testing::TemporaryTree tree;
-  write_empty_site(tree, "course/one");
+  write_course(tree);
   tree.write("course/one/more", "x");
   tree.write("course/evil.js", "x");
   tree.write("course/two/index.html", "x");
-  tree.write("course/index.html", "x");
-  tree.write("course/index.html.br", "x");
-  tree.write("course/SHA256SUMS", "x");
-  tree.write(
-      "course/course.json",
-      R"({"generator":"ros2wasm 0.1.0","labs":[{"name":"one","sha256":")" + sha256_hex(kEmptySite) +
-          R"("}],"files":[{"path":"index.html","size":1,"sha256":")" + sha256_hex("x") + R"("}]})");
   const auto check = check_course_folder(tree / "course", {}, {});
   ASSERT_TRUE(check);
   EXPECT_TRUE(check->faults.empty());
   EXPECT_EQ(check->unlisted, (std::vector<std::string>{"evil.js", "one/more", "two/index.html"}));
+}
+
+// Guarantee, verified: a compressed form of a course's page, and its SHA256SUMS, are what the page
+// and the files are
+TEST(SiteCheck, FormsAndHashesOfACourse) {
+  const testing::TemporaryTree tree;
+  write_course(tree);
+  EXPECT_EQ(faults_of_course(tree), std::vector<std::string>());
+  tree.write("course/index.html.gz", "another page");
+  tree.write("course/course.json.br", "x");
+  EXPECT_EQ(faults_of_course(tree),
+            (std::vector<std::string>{
+                "R2W0650: `index.html.gz` is not the file that the course was packed with",
+                "R2W0650: `course.json.br` is not the file that the course was packed with"}));
+  std::filesystem::remove(tree / "course/index.html.gz");
+  std::filesystem::remove(tree / "course/course.json.br");
+  tree.write("course/SHA256SUMS", std::string(64, 'a') + "  index.html\n");
+  EXPECT_EQ(faults_of_course(tree),
+            std::vector<std::string>{
+                "R2W0650: `SHA256SUMS` is not the file that the course was packed with"});
+}
+
+// Guarantee, verified: a course.json hides nothing: a folder with a site.json is a site, and a
+// course lists its page and its labs
+TEST(SiteCheck, ACourseJsonHidesNothing) {
+  const testing::TemporaryTree tree;
+  write_course(tree);
+  EXPECT_TRUE(is_course_of_ours(tree / "course"));
+  tree.write("course/one/course.json", R"({"generator":"ros2wasm 0.1.0","labs":[],"files":[]})");
+  EXPECT_FALSE(is_course_of_ours(tree / "course/one"));
+  tree.write("course/course.json", R"({"generator":"ros2wasm 0.1.0","labs":[],"files":[]})");
+  ASSERT_EQ(faults_of_course(tree).size(), 1U);
+  EXPECT_TRUE(faults_of_course(tree).front().starts_with("R2W0605"));
 }
 
 // Guarantee, hostile input: of a site.json that lists hundreds of thousands of files that are not

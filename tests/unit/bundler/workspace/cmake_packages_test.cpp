@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace ros2wasm {
 namespace {
 
@@ -79,6 +81,26 @@ TEST(CMakeProject, NameVersionAndPlace) {
   for (const char* name : {"..", ".", ".hid", "-x"})
     EXPECT_FALSE(cmake_project("project(" + std::string(name) + ")", "f")) << name;
   EXPECT_FALSE(cmake_project("add_library(a a.c)", "f"));
+}
+
+// Guarantee, hostile input: a CMakeLists.txt whose lists double with each line, or that names tens
+// of thousands of packages, is read in seconds and little memory
+TEST(CmakePackages, ListsOfListsEnd) {
+  const auto began = std::chrono::steady_clock::now();
+  std::string doubling = "set(a x)\n";
+  for (int i = 0; i < 60; ++i) doubling += "foreach(a IN LISTS a a)\n";
+  EXPECT_EQ(names(doubling + "find_package(rclcpp REQUIRED)"), std::vector<std::string>{"rclcpp"});
+  std::string appending = "set(a x)\n";
+  for (int i = 0; i < 50'000; ++i) appending += "list(APPEND a ${a})\n";
+  EXPECT_EQ(names(appending + "find_package(rclcpp REQUIRED)"), std::vector<std::string>{"rclcpp"});
+  std::string copying = "set(a x)\n";
+  for (int i = 0; i < 12; ++i) copying += "list(APPEND a ${a})\n";
+  for (int i = 0; i < 50'000; ++i) copying += "set(v" + std::to_string(i) + " ${a})\n";
+  EXPECT_EQ(names(copying + "find_package(rclcpp REQUIRED)"), std::vector<std::string>{"rclcpp"});
+  std::string many;
+  for (int i = 0; i < 50'000; ++i) many += "find_package(p" + std::to_string(i) + " REQUIRED)\n";
+  EXPECT_EQ(names(many).size(), 50'000U);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
 }
 
 }  // namespace

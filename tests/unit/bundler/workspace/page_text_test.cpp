@@ -41,6 +41,8 @@ TEST(PageText, HostileTextsTakeNoTime) {
   EXPECT_TRUE(markdown_images(repeated("![a](")).empty());
   EXPECT_LT(markdown_images(repeated("![a](", ")")).size(), 1000U);  // the last ones have a path
   EXPECT_TRUE(markdown_images(repeated("![", "] x")).empty());
+  EXPECT_TRUE(markdown_images(repeated("![") + "a](x" + std::string(500'000, ' ') + "z").empty());
+  EXPECT_EQ(markdown_images(repeated("![") + "a](" + std::string(4000, 'x') + ")").size(), 1U);
   EXPECT_TRUE(markdown_images(repeated("a <!-- b\n")).empty());
   EXPECT_GT(markdown_images(many).size(), 50'000U);
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));

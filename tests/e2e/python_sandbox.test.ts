@@ -50,6 +50,7 @@ const DOORS = new Map([
   ['child', () => 'subprocess.check_output(["env"])'],
   ['js', () => '__import__("js").process.env.TOKEN_OF_TEST'],
   ['pyodide', () => '__import__("pyodide_js")._module'],
+  ['inner', () => 'sys.modules["pyodide_js._api"].public_api._module'],
   ['evaluation', () => '__import__("pyodide.code").code.run_js("globalThis.process.env.TOKEN_OF_TEST")'],
   ['constructor', () => 'any_object().constructor.constructor("return process")().env.TOKEN_OF_TEST'],
   ['loader', () => `mounted(${JSON.stringify(workspace.root)})`],

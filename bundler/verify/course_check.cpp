@@ -77,6 +77,12 @@ Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellatio
   if (!text) return text.errors();
   const auto course = read_course_list(*text, (folder / kCourseJsonName).string());
   if (!course) return course.errors();
+  if (std::find(course->files.begin(), course->files.end(), "index.html") == course->files.end())
+    return Diagnostic{.code = "R2W0605",
+                      .message = "`" + (folder / kCourseJsonName).string() +
+                                 "` is not the course.json of a course",
+                      .why = {"it does not list the page index.html"},
+                      .fix = {}};
   SiteCheck all{.list = {.hash = course->hash,
                          .generator = course->generator,
                          .carried_page_sha256 = {},

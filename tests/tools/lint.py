@@ -85,6 +85,7 @@ def checks() -> dict[str, object]:
         "house": house_rules,
         "types": lambda: run("node_modules/.bin/tsc", "--noEmit", "--incremental",
                              "--tsBuildInfoFile", "build/.tsbuildinfo", "-p", "tsconfig.json"),
+        "english": lambda: run(sys.executable, "tests/tools/english.py"),
         "words": lambda: run("node", "tests/tools/page_texts.ts"),
         "constants": lambda: run("node", "runtime/protocol/generate.mjs", "--check"),
         "tables": lambda: run(sys.executable, "tests/tools/claims.py", "--check"),

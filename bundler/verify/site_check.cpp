@@ -81,7 +81,7 @@ Diagnostic too_many_faults() {
                     .fix = {}};
 }
 
-/// Sorted, for find_place(): where the site's own files lie.
+/// Sorted, for is_listed(): where the files of the site are.
 std::vector<std::string> listed_places(const SiteList& list) {
   std::vector<std::string> listed{kSiteJsonName, kHashList};
   listed.reserve(list.files.size() + listed.size());

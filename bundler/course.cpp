@@ -65,7 +65,7 @@ std::string title_of(const SitePlan& plan) {
   return {};
 }
 
-/// Of what a site of the course has.
+/// The hashes of the files of one lab, by their places in the course.
 Outcome<PlaceHashes> files_of_site(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / name / kSiteJsonName;
   const auto text = read_file(file, kMostOfSiteJson);

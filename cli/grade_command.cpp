@@ -68,8 +68,8 @@ Outcome<std::vector<AskedTasks>> sites_of(const fs::path& folder) {
   if (!site) return std::move(site).errors();
   const auto place = real_path(folder);
   if (!place) return place.errors();
-  // A lab that lies in its course, or an earlier version `LAB@HASH` of one, has the course's title
-  // for it as well.
+  // A lab in the folder of its course, or an earlier version `LAB@HASH` of one, has the course's
+  // title for it as well.
   if (is_course_of_ours(place->parent_path())) {
     const auto course = course_of(place->parent_path());
     if (!course) return course.errors();

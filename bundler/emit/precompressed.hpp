@@ -37,8 +37,8 @@ inline constexpr std::array<Compression, 2> kCompressions{
 [[nodiscard]] Outcome<Done> precompress_site(const std::filesystem::path& folder,
                                              const Cancellation& cancellation);
 
-/// Which of the compressed forms that lie beside `file` does not unpack to these bytes. `is_taken`
-/// says of an ending whether the site itself has a file of that name.
+/// The ending of the first compressed form beside `file` that does not unpack to these bytes.
+/// `is_taken` reports whether the site itself has a file with that ending.
 [[nodiscard]] std::optional<std::string> wrong_compressed(
     const std::filesystem::path& file, std::uint64_t size, const std::string& sha256,
     const std::function<bool(std::string_view ending)>& is_taken);

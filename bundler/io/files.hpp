@@ -26,8 +26,8 @@ inline constexpr std::uint64_t kMostOfData = std::uint64_t{16} << 30U;
                                              std::uint64_t at_most);
 
 /// No entry has this name. A link that leads nowhere or to itself, a folder, a pipe and what cannot
-/// be looked at are not absent: read_file() says why they cannot be read. Of a file that may be
-/// missing (a manifest, a course, a lock) this decides, so that a broken one is never passed over.
+/// be looked at are not absent: read_file() says why they cannot be read. For a file that may
+/// be missing (a manifest, a course, a lock) this decides, so that a broken one is never skipped.
 [[nodiscard]] bool is_absent(const std::filesystem::path& path);
 
 /// Opens for reading what read_file() would read, and gives its descriptor, which the caller

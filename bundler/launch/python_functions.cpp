@@ -81,7 +81,7 @@ PythonValue length(const Arguments& a) {
   return {static_cast<std::int64_t>(python_iterated(a.values[0]).size())};
 }
 
-/// Appends in place what `+` would copy with all that comes before it. False: these are not lists.
+/// Appends in place, where `+` would copy the whole sum each time. False: these are not lists.
 bool appended(PythonValue& sum, const PythonValue& more) {
   auto* list = std::get_if<PythonList>(&sum.held);
   const auto* items = std::get_if<PythonList>(&more.held);
@@ -97,7 +97,7 @@ PythonValue summed(const Arguments& a) {
   PythonValue result = start != nullptr ? *start : PythonValue{std::int64_t{0}};
   if (std::holds_alternative<std::string>(result.held))
     python_fault("TypeError: sum() can't sum strings [use ''.join(seq) instead]");
-  // Sums of tuples copy: few are long.
+  // A sum of tuples copies, so its work is bounded.
   std::size_t copied = 0;
   for (const PythonValue& one : python_iterated(a.values[0])) {
     if (appended(result, one)) continue;

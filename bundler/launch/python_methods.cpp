@@ -88,7 +88,7 @@ PythonList split_from_end(const std::string& text, const Arguments& a) {
   if (a.values.size() < 2) return split(text, a);
   const std::string& by = text_at(a.values, 0);
   if (by.empty()) python_fault("ValueError: empty separator");
-  // From the beginning of the text in reverse.
+  // The reversed text is searched from its beginning.
   const std::string reversed(text.rbegin(), text.rend());
   const std::string mark(by.rbegin(), by.rend());
   PythonList result;

@@ -88,8 +88,8 @@ struct PythonNamespace {
 [[nodiscard]] PythonValue python_arithmetic(std::string_view op, const PythonValue& a,
                                             const PythonValue& b);
 /// `op` is one of < <= > >= == != in.
-/// As std::string_view::find() and rfind(), whose time is the product of both sizes, in a time that
-/// is their sum.
+/// Like std::string_view::find() and rfind(), but linear: their time grows with the sum of both
+/// sizes, not with the product.
 [[nodiscard]] std::size_t python_find(std::string_view text, std::string_view part,
                                       std::size_t from = 0);
 [[nodiscard]] std::size_t python_rfind(std::string_view text, std::string_view part);

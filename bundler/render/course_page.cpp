@@ -176,6 +176,8 @@ Outcome<CourseList> read_course_list(std::string_view text, const std::string& s
     list.sizes.push_back({.size = *bytes, .sha256 = one.text_of("sha256")});
   }
   if (list.labs.empty()) return no_course(shown, "it lists no labs");
+  if (std::find(list.files.begin(), list.files.end(), "index.html") == list.files.end())
+    return no_course(shown, "it does not list the page index.html");
   return list;
 }
 

@@ -15,7 +15,8 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// What lies in the folder beside the labs, their store and the course's own files.
+/// The files of the folder that belong neither to a lab, nor to the store, nor to the course
+/// itself.
 Outcome<std::vector<std::string>> unlisted_beside_labs(const fs::path& folder,
                                                        const CourseList& course,
                                                        const std::set<std::string>& stores) {
@@ -77,12 +78,6 @@ Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellatio
   if (!text) return text.errors();
   const auto course = read_course_list(*text, (folder / kCourseJsonName).string());
   if (!course) return course.errors();
-  if (std::find(course->files.begin(), course->files.end(), "index.html") == course->files.end())
-    return Diagnostic{.code = "R2W0605",
-                      .message = "`" + (folder / kCourseJsonName).string() +
-                                 "` is not the course.json of a course",
-                      .why = {"it does not list the page index.html"},
-                      .fix = {}};
   SiteCheck all{.list = {.hash = course->hash,
                          .generator = course->generator,
                          .carried_page_sha256 = {},

@@ -235,7 +235,7 @@ Outcome<AskedTasks> asked_tasks(std::string_view site_json, const std::string& s
   const auto json = parse_json(site_json, shown, "R2W0605");
   if (!json) return json.errors();
   AskedTasks asked{.sha256 = sha256_hex(site_json), .titles = {}, .names = {}, .course = {}};
-  // The page shows the name where there is no title.
+  // Without a title, the page shows the name.
   const std::string title = json->text_of("title");
   asked.names.push_back(title.empty() ? json->text_of("name") : title);
   if (const JsonValue* tasks = json->find("tasks"))

@@ -130,7 +130,7 @@ bool is_form_of_listed(const std::vector<std::string>& listed, const std::string
 }
 
 /// An archive or an index of the channel beside a site, by its name: no browser takes one for a
-/// page. What it says is checked by whoever packs from it.
+/// page. Whoever packs from it checks its contents.
 bool is_of_channel(const std::string& path) {
   constexpr std::array<std::string_view, 5> kEndings{".conda", ".tar.bz2", "/repodata.json",
                                                      ".json.zst", ".msgpack.zst"};
@@ -139,8 +139,8 @@ bool is_of_channel(const std::string& path) {
                      [&](std::string_view ending) { return path.ends_with(ending); });
 }
 
-/// What no site.json lists, apart from itself, its signature and the channel that may be beside a
-/// site.
+/// The files that site.json does not list, except for itself, its signature and the channel that
+/// may be beside a site.
 std::vector<std::string> unlisted_of(const std::vector<std::string>& listed,
                                      const std::vector<TreeEntry>& tree) {
   std::vector<std::string> result;
@@ -254,8 +254,7 @@ Diagnostic unlisted_files(const std::vector<std::string>& paths, const std::stri
   Diagnostic warning{.code = "R2W0653",
                      .severity = Severity::kWarning,
                      .message = "`" + shown + "` has " + std::to_string(paths.size()) +
-                                (paths.size() == 1 ? " file" : " files") +
-                                " that its site.json does not list",
+                                (paths.size() == 1 ? " file" : " files") + " that it does not list",
                      .why = {},
                      .fix = {}};
   for (std::size_t i = 0; i < paths.size() && i < kShown; ++i) warning.why.push_back(paths[i]);

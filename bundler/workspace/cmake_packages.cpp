@@ -71,8 +71,8 @@ std::optional<Command> read_command(std::string_view text, std::size_t& at) {
 }
 
 /// Variables that hold what is written in the file, as far as set(), list(APPEND) and foreach()
-/// over such tell: a foreach()'s own has all its values at once. A file that makes lists of lists
-/// comes to an end: then variables stay as they were.
+/// over such tell: a foreach()'s own has all its values at once. When a file has used up
+/// kMostCopied, the variables keep the values that they have.
 class Variables {
  public:
   void follow(const Command& command) {
@@ -105,7 +105,7 @@ class Variables {
  private:
   /// More than any list of packages has.
   static constexpr std::size_t kMostValues = 1000;
-  /// Values that are copied for one file, all in all.
+  /// Values that may be copied for one file, in total: lists of lists grow without end.
   static constexpr std::size_t kMostCopied = 200'000;
 
   /// Appends what fits.

@@ -38,8 +38,8 @@ std::vector<fs::path> sorted_subfolders(const fs::path& folder) {
   return result;
 }
 
-/// Also one that cannot be read, so that the package is not passed over. Nothing is known of what
-/// lies in a folder that may not be entered: it counts as empty.
+/// True even for a package.xml that cannot be read, so that the package is not skipped. A folder
+/// that may not be entered counts as empty.
 bool has_package_xml(const fs::path& folder) {
   std::error_code error;
   return fs::exists(fs::symlink_status(folder / "package.xml", error));

@@ -178,7 +178,7 @@ void images_of_line(std::string_view text, std::set<std::string>& known,
                     std::vector<std::string>& found) {
   std::size_t words = 0;     // where the words of the image end
   std::size_t end = 0;       // where its path does
-  std::size_t answered = 0;  // the `words` before: many `![` may share them, and then the path, too
+  std::size_t answered = 0;  // the last `words`: several `![` may share one `](path)`
   for (std::size_t at = text.find("!["); at != std::string_view::npos;
        at = text.find("![", at + 2)) {
     if (at > 0 && text[at - 1] == '\\') continue;

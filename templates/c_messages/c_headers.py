@@ -69,7 +69,8 @@ def own_share(package: str, source: Path, share: Path) -> None:
         for file in sorted([*source.rglob(f'{kind}/*.{kind}'), *source.rglob(f'{kind}/*.idl')]):
             inside = file.relative_to(source)
             place = share / package / kind / f'{file.stem}.idl'
-            if any(part.startswith('.') for part in inside.parts) or place.exists():
+            # A pipe or a device in the place of a file never ends.
+            if any(part.startswith('.') for part in inside.parts) or place.exists() or not file.is_file():
                 continue
             place.parent.mkdir(parents=True, exist_ok=True)
             if file.suffix == '.idl':

@@ -52,7 +52,7 @@ export async function startPython(folder, environment = {}) {
   let looks = 0; // a time that is waited for comes: each look at it is a millisecond
   performance.now = () => { looks += 1; return looks; };
   for (const name of doors) python.unregisterJsModule(name);
-  // With what is below them: pyodide_js._api.
+  // Their submodules too, such as pyodide_js._api.
   python.runPython(`import sys
 for name in [name for name in sys.modules if name.split('.')[0] in ${JSON.stringify(doors)}]:
     del sys.modules[name]`);

@@ -26,7 +26,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# With more failures than this in one suite, nothing is run again: these are not accidents.
+# A suite with more failures than this is not run again: these are not accidents.
 SECOND_TRIES = 8
 # Tests that are listed at the end of a run.
 SLOWEST = 20
@@ -37,7 +37,7 @@ LONGEST = ("scoreboard", "page_every_panel", "libraries", "python_stop", "precom
            "turtlesim")
 # A suite that takes longer than this hangs: it is asked what it waits for, and ended.
 MOST_SECONDS = 1200
-# Between the question and the end.
+# How long it may take to answer before it is killed.
 LAST_WORDS_SECONDS = 20
 
 

@@ -148,7 +148,7 @@ class EmbedHost {
       })),
       time: { state, rate, now },
       checks: (this.session.checks?.views() ?? []).map((check) => ({ title: check.title, state: check.state })),
-      // Of this visit: what the browser keeps of earlier ones is not for every page.
+      // This visit only: not every page may see the progress that the browser stores from earlier visits.
       tasks: (this.session.tasks?.views() ?? []).map(({ title, done, checks }) => ({
         title, done, checks: checks.map((check) => ({ title: check.title, state: check.state })),
       })),

@@ -78,9 +78,15 @@ class SuitesTest(unittest.TestCase):
                                "pack": False, "rclcpp": False}.items():
             self.assertEqual(opens_browser(ROOT / "tests" / "e2e" / f"{name}.test.ts"), expected, name)
 
-    def test_the_files_that_begin_first_exist(self) -> None:
+    def test_the_longest_files_exist_and_begin_first(self) -> None:
         for name in LONGEST:
             self.assertTrue((ROOT / "tests" / "e2e" / f"{name}.test.ts").is_file(), name)
+        for suite in suites(ROOT / "build", bless=False):
+            if suite.name not in ("e2e", "browser"):
+                continue
+            files = [Path(word).name.removesuffix(".test.ts") for word in suite.command if word.endswith(".test.ts")]
+            longest = [name for name in LONGEST if name in files]
+            self.assertEqual(files[:len(longest)], longest, suite.name)
 
     def test_every_test_file_is_in_one_suite(self) -> None:
         words = [word for suite in suites(ROOT / "build", bless=False) for word in suite.command]

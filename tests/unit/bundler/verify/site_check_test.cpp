@@ -64,8 +64,8 @@ std::vector<std::string> faults_of_course(const testing::TemporaryTree& tree) {
   return messages;
 }
 
-// Guarantee, verified: files beside the labs of a course that no list has are named as those in a
-// lab are
+// Guarantee, verified: files in the folder of a course that neither the course nor a lab lists are
+// named
 TEST(SiteCheck, FilesBesideTheLabsOfACourse) {
   const testing::TemporaryTree tree;
   write_course(tree);
@@ -78,8 +78,8 @@ TEST(SiteCheck, FilesBesideTheLabsOfACourse) {
   EXPECT_EQ(check->unlisted, (std::vector<std::string>{"evil.js", "one/more", "two/index.html"}));
 }
 
-// Guarantee, verified: a compressed form of a course's page, and its SHA256SUMS, are what the page
-// and the files are
+// Guarantee, verified: the compressed forms of a course's own files unpack to these files, and its
+// SHA256SUMS has the hashes of all files
 TEST(SiteCheck, FormsAndHashesOfACourse) {
   const testing::TemporaryTree tree;
   write_course(tree);
@@ -98,8 +98,8 @@ TEST(SiteCheck, FormsAndHashesOfACourse) {
                 "R2W0650: `SHA256SUMS` is not the file that the course was packed with"});
 }
 
-// Guarantee, verified: a course.json hides nothing: a folder with a site.json is a site, and a
-// course lists its page and its labs
+// Guarantee, verified: a course.json cannot hide a changed site: a folder with a site.json is
+// checked as a site, and a course must list its page and a lab
 TEST(SiteCheck, ACourseJsonHidesNothing) {
   const testing::TemporaryTree tree;
   write_course(tree);
@@ -114,8 +114,8 @@ TEST(SiteCheck, ACourseJsonHidesNothing) {
   EXPECT_TRUE(faults_of_course(tree).front().starts_with("R2W0605"));
 }
 
-// Guarantee, hostile input: of a site.json that lists hundreds of thousands of files that are not
-// there, the first thousand are named
+// Guarantee, hostile input: when a site.json lists hundreds of thousands of missing files, `verify`
+// names the first thousand and stops
 TEST(SiteCheck, StopsAtAThousandFaults) {
   const testing::TemporaryTree tree;
   std::string files;

@@ -34,6 +34,7 @@ class Workshop:
     compiler: Compiler
     toolchain: Path
     cli: Path
+    jobs: int  # processes that this machine runs well at a time
 
     @property
     def prefix(self) -> Path:
@@ -63,7 +64,8 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
          f"-DCMAKE_CXX_COMPILER_LAUNCHER={workshop.cli};compile-source;--",
          f"-DCMAKE_PREFIX_PATH={workshop.prefix}",
          f"-DCMAKE_INSTALL_PREFIX={NEUTRAL_PREFIX}"],
-        ["cmake", "--build", str(build), "--", "-j1"],
+        # More than one process only while other packages leave cores idle.
+        ["cmake", "--build", str(build), "--", f"-j{workshop.jobs}", f"-l{workshop.jobs}"],
         ["cmake", "--install", str(build), "--prefix", str(tree)],
     ]
     shutil.rmtree(tree, ignore_errors=True)

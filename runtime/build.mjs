@@ -43,21 +43,21 @@ function inLanguage(html) {
  * into a folder beside OUT; "carried" a page with its program in it, the one of sites in one HTML file.
  */
 const rows = [
-  { file: 'index.html', from: 'runtime/ui/index.html', kind: 'copy', role: 'page' },
-  { file: 'app.webmanifest', from: 'runtime/ui/app.webmanifest', kind: 'copy', role: 'web_manifest' },
-  { file: 'icon.svg', from: 'runtime/ui/icon.svg', kind: 'copy', role: 'icon' },
-  { file: 'start.js', from: 'runtime/ui/start.ts', kind: 'modules', role: 'script' },
-  { file: 'boot.js', from: 'runtime/ui/boot.ts', kind: 'classic', role: 'script' },
-  { file: 'course.js', from: 'runtime/ui/course.ts', kind: 'classic', role: 'course_script' },
-  { file: 'node_worker.js', from: 'runtime/wasm_js/node_worker_main.ts', kind: 'classic', role: 'worker' },
-  { file: 'python_worker.js', from: 'runtime/wasm_js/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
-  { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },
-  { file: 'carried_page.html', from: 'runtime/ui/carried_page.ts', kind: 'carried', role: 'carried_page' },
-  { file: 'headless.js', from: 'runtime/ros2cli/headless_run_main.ts', kind: 'node', role: 'headless' },
-  { file: 'ros2.js', from: 'runtime/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
+  { file: 'index.html', from: 'runtime/site/ui/index.html', kind: 'copy', role: 'page' },
+  { file: 'app.webmanifest', from: 'runtime/site/ui/app.webmanifest', kind: 'copy', role: 'web_manifest' },
+  { file: 'icon.svg', from: 'runtime/site/ui/icon.svg', kind: 'copy', role: 'icon' },
+  { file: 'start.js', from: 'runtime/site/ui/start.ts', kind: 'modules', role: 'script' },
+  { file: 'boot.js', from: 'runtime/site/ui/boot.ts', kind: 'classic', role: 'script' },
+  { file: 'course.js', from: 'runtime/site/ui/course.ts', kind: 'classic', role: 'course_script' },
+  { file: 'node_worker.js', from: 'runtime/site/workers/node_worker_main.ts', kind: 'classic', role: 'worker' },
+  { file: 'python_worker.js', from: 'runtime/site/session/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
+  { file: 'service_worker.js', from: 'runtime/site/session/service_worker.ts', kind: 'classic', role: 'service_worker' },
+  { file: 'carried_page.html', from: 'runtime/site/ui/carried_page.ts', kind: 'carried', role: 'carried_page' },
+  { file: 'headless.js', from: 'runtime/site/ros2cli/headless_run_main.ts', kind: 'node', role: 'headless' },
+  { file: 'ros2.js', from: 'runtime/site/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
   { file: 'launch_evaluator.wasm', from: 'runtime/launch_evaluator/build.py', kind: 'wasm', role: 'launch_evaluator' },
-  { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },
-  { file: 'panels.css', from: 'runtime/ui/styles/panels.css', kind: 'style', role: 'style' },
+  { file: 'styles.css', from: 'runtime/site/ui/styles/index.css', kind: 'style', role: 'style' },
+  { file: 'panels.css', from: 'runtime/site/ui/styles/panels.css', kind: 'style', role: 'style' },
 ];
 
 const shared = {
@@ -160,7 +160,7 @@ async function buildCarried({ file, from }, out) {
   takeInputs(metafile);
   const program = outputFiles[0].text.replaceAll('</', '<\\/');
   const hash = `'sha256-${createHash('sha256').update(program).digest('base64')}'`;
-  const ui = (name) => readFileSync(join(root, 'runtime/ui', name), 'utf8');
+  const ui = (name) => readFileSync(join(root, 'runtime/site/ui', name), 'utf8');
   const [, policy] = ui('index.html').match(/Content-Security-Policy" content="([^"]*)"/);
   const carried = policy.split('; ').map((directive) => {
     const [name, ...sources] = directive.split(' ');

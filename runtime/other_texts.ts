@@ -1,4 +1,4 @@
-// The door for another language: the page's texts are chosen when it is built. Each file of runtime/ui whose name begins
+// The door for another language: the page's texts are chosen when it is built. Each file of runtime/site/ui whose name begins
 // with `texts` is taken from the folder of a translation instead, when that has one of the same name.
 
 import { existsSync } from 'node:fs';

@@ -13,7 +13,7 @@
 namespace ros2wasm {
 namespace {
 
-/// The panels of runtime/ui/panels/index.ts.
+/// The panels of runtime/site/ui/panels/index.ts.
 const std::vector<std::string>& page_panels() {
   static const std::vector<std::string> kPanels{
 #include "page_panels.inc"

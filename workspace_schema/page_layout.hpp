@@ -1,5 +1,5 @@
 // `ui: layout:`, how the author wants the panels of the page to stand: checked, and as JSON for
-// site.json. The page's own reader is runtime/ui/model/layout_text.ts. Pure.
+// site.json. The page's own reader is runtime/site/ui/model/layout_text.ts. Pure.
 #pragma once
 
 #include <string>

@@ -11,8 +11,8 @@ struct Ros2Verb {
   std::string_view verb;
 };
 
-/// Those of runtime/ros2cli/table.ts, sorted; tests/unit/ros2cli/launched_commands.test.ts compares
-/// them.
+/// Those of runtime/site/ros2cli/table.ts, sorted; tests/unit/ros2cli/launched_commands.test.ts
+/// compares them.
 constexpr Ros2Verb kRos2Verbs[] = {
     {"action", "info"},        {"action", "list"},     {"action", "send_goal"},
     {"action", "type"},        {"bag", "info"},        {"bag", "play"},

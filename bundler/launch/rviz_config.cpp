@@ -10,8 +10,8 @@
 namespace ros2wasm {
 namespace {
 
-/// What draws them is in runtime/ui/scene/kinds.ts; the page's own list is kDrawn in
-/// runtime/ui/model/rviz_config.ts, and a test holds it against this one.
+/// What draws them is in runtime/site/ui/scene/kinds.ts; the page's own list is kDrawn in
+/// runtime/site/ui/model/rviz_config.ts, and a test holds it against this one.
 constexpr std::string_view kDrawn[] = {
     "AccelStamped",  "GridCells",
     "LaserScan",     "Map",

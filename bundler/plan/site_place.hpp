@@ -1,6 +1,7 @@
 // Where the files of a site lie. Most sites have them beside site.json, under their paths. Sites
 // that share a store have there, under its sha256, what does not belong to them alone; and a file
-// that is too large for a host lies in parts. Pure; runtime/wasm_js/site_places.ts is the same.
+// that is too large for a host lies in parts. Pure; runtime/site/contract/site_places.ts is the
+// same.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // A site as one HTML page, which carries all of its files: each deflated, in base64, in an element
-// that browsers do not run. runtime/wasm_js/page_files.ts reads them there. Pure.
+// that browsers do not run. runtime/site/program/page_files.ts reads them there. Pure.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The Content-Security-Policy of sites, as a header. It is that of runtime/ui/index.html, which the
-// build reads.
+// The Content-Security-Policy of sites, as a header. It is that of runtime/site/ui/index.html,
+// which the build reads.
 #pragma once
 
 #include <string_view>

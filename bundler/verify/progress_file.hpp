@@ -1,5 +1,6 @@
 // The file that a student hands in: which tasks of which labs are done, signed by a key of the
-// student's browser (runtime/ui/model/progress_file.ts writes it). Pure; do not trust the text.
+// student's browser (runtime/site/ui/model/progress_file.ts writes it). Pure; do not trust the
+// text.
 #pragma once
 
 #include <cstdint>

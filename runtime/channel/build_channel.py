@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds every ROS package under runtime/ for the site and makes the embedded channel of them.
+"""Builds every ROS package under runtime/packages/ for the site and makes the embedded channel of them.
 
   build_channel.py --cli build/ros2wasm --out build/channel
 
@@ -111,7 +111,7 @@ def build_changed(workshop: Workshop, packages: dict[str, PackageSource], change
 
 def run(options: argparse.Namespace) -> int:
     compiler: Compiler = with_parts(find_compiler(options.emscripten), options.cli)
-    every = find_packages(ROOT / "runtime")
+    every = find_packages(ROOT / "runtime" / "packages")
     packages = every if options.workspace is None else needed_by(options.workspace, every)
     toolchain = ROOT / "templates" / "toolchain"
     keys = package_keys(every, compiler, Path(__file__).parent, toolchain)

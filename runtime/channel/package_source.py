@@ -1,4 +1,4 @@
-"""Finds the ROS packages under runtime/ and reads what the channel needs of their package.xml."""
+"""Finds the ROS packages under runtime/packages/ and reads what the channel needs of their package.xml."""
 from __future__ import annotations
 
 import re
@@ -34,13 +34,13 @@ class PackageSource:
     any_compiler: bool = False
 
 
-def find_packages(runtime: Path) -> dict[str, PackageSource]:
-    """Returns all packages below `runtime` by name, each after those it needs."""
-    manifests = sorted([*runtime.glob("*/package.xml"), *runtime.glob("*/*/package.xml")])
+def find_packages(packages: Path) -> dict[str, PackageSource]:
+    """Returns all packages below `packages`, in folders of kinds, by name, each after those it needs."""
+    manifests = sorted(packages.glob("*/*/package.xml"))
     roots = {path.parent: ElementTree.parse(path).getroot() for path in manifests}
     names = {_text(root, "name") for root in roots.values()}
     if len(names) != len(roots):
-        raise ValueError("two packages under runtime/ have the same name")
+        raise ValueError("two packages under runtime/packages/ have the same name")
     found = [_read(folder, root, names) for folder, root in roots.items()]
     return _in_order({package.name: package for package in found})
 

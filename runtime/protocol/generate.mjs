@@ -1,4 +1,4 @@
-// Writes generated/constants.{hpp,ts} and ../rclpy/ros2wasm/constants.py from constants.json.
+// Writes generated/constants.{hpp,ts} and ../packages/client/rclpy/ros2wasm/constants.py from constants.json.
 // `--check` writes nothing and exits 1 when a generated file is not current.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 
@@ -106,7 +106,7 @@ const check = process.argv.includes('--check');
 let stale = 0;
 mkdirSync(new URL('generated/', here), { recursive: true });
 for (const [file, text] of [
-  ['protocol/generated/constants.hpp', cpp()], ['protocol/generated/constants.ts', ts()], ['rclpy/ros2wasm/constants.py', py()],
+  ['protocol/generated/constants.hpp', cpp()], ['protocol/generated/constants.ts', ts()], ['packages/client/rclpy/ros2wasm/constants.py', py()],
 ]) {
   const url = new URL(`../${file}`, here);
   if (!check) {

@@ -1,6 +1,6 @@
 // The page of the crowd: a broker, as many workers, and a count of its own frames meanwhile.
 
-import { type Broker, SharedBroker } from '../../runtime/wasm_js/broker.ts';
+import { type Broker, SharedBroker } from '../../runtime/site/bus/broker.ts';
 import type { CrowdOrder, CrowdReport, CrowdTask } from './crowd_worker.ts';
 
 export interface CrowdFigures extends CrowdReport {

@@ -2,9 +2,9 @@
 // neighbour publishes. A JavaScript worker on the runtime's own link, so that the link alone is measured.
 
 import { EndpointKind, ErrorCode } from '../../runtime/protocol/generated/constants.ts';
-import type { Link } from '../../runtime/wasm_js/link.ts';
-import { type LinkTicket, openLink } from '../../runtime/wasm_js/open_link.ts';
-import { defaultQos } from '../../runtime/wasm_js/qos.ts';
+import type { Link } from '../../runtime/site/bus/link.ts';
+import { type LinkTicket, openLink } from '../../runtime/site/bus/open_link.ts';
+import { defaultQos } from '../../runtime/site/contract/qos.ts';
 
 export interface CrowdOrder {
   readonly ticket: LinkTicket;

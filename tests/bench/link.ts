@@ -7,7 +7,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { texts } from '../../runtime/ui/texts.ts';
+import { texts } from '../../runtime/site/ui/texts.ts';
 import { wholeChromium } from '../e2e/chromium.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';

@@ -165,7 +165,7 @@ async function benchFirstMessage(context: BenchContext, site: string): Promise<v
 /** Milliseconds until a headless run prints it. */
 async function firstLine(context: BenchContext, site: string, line: string): Promise<number> {
   const begin = performance.now();
-  const run = spawn(process.execPath, [join(context.root, 'runtime/wasm_js/headless.ts'), site], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const run = spawn(process.execPath, [join(context.root, 'runtime/site/session/headless.ts'), site], { stdio: ['ignore', 'pipe', 'inherit'] });
   const over = once(run, 'close');
   const watchdog = setTimeout(() => run.kill('SIGKILL'), WATCHDOG_MS);
   try {
@@ -230,7 +230,7 @@ function judgeCdr(context: BenchContext, others: OthersLoad, link: string, { wha
 function benchMessages(context: BenchContext, site: string): void {
   const others = new OthersLoad();
   for (const link of ['shared', 'port']) {
-    const run = spawnSync(process.execPath, [join(context.root, 'runtime/wasm_js/headless.ts'), site, '--link', link], {
+    const run = spawnSync(process.execPath, [join(context.root, 'runtime/site/session/headless.ts'), site, '--link', link], {
       encoding: 'utf8', timeout: WATCHDOG_MS,
     });
     if (run.status !== 0) context.fail(`python: the rates on the ${link} link end with ${run.status}: ${run.stderr}`);

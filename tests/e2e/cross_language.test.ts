@@ -7,7 +7,7 @@
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
-import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
+import { openHeadless } from '../../runtime/site/session/headless_session.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -86,7 +86,7 @@ function unsaid(link: 'shared' | 'port', texts: (index: number) => readonly stri
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}, Node.js: C++ and Python talk, serve and act for each other`, watchdog, async () => {
-    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {
       const ids = session.nodes().map(({ id }) => id);
       const missing = (): readonly string[] => unsaid(link, (i) => session.console(ids[i] ?? '').lines().map(({ text }) => text));

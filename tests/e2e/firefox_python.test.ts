@@ -7,7 +7,7 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { stopGraceMs } from '../../runtime/wasm_js/process_runner.ts';
+import { stopGraceMs } from '../../runtime/site/program/process_runner.ts';
 import { Firefox } from '../support/firefox.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';

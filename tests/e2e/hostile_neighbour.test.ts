@@ -12,7 +12,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, type BrowserContext, type Page, chromium } from 'playwright-core';
-import { taken } from '../../runtime/wasm_js/worker_realm.ts';
+import { taken } from '../../runtime/site/workers/worker_realm.ts';
 import { eventually } from '../support/eventually.ts';
 import { Firefox } from '../support/firefox.ts';
 import { ownPackage } from '../support/python_nodes.ts';

@@ -5,9 +5,9 @@ import { cpSync, readFileSync, rmSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { readSite } from '../../runtime/wasm_js/site_reader.ts';
-import type { SiteSources } from '../../runtime/wasm_js/site_sources.ts';
-import { SourceFiles } from '../../runtime/wasm_js/source_files.ts';
+import { readSite } from '../../runtime/site/contract/site_reader.ts';
+import type { SiteSources } from '../../runtime/site/contract/site_sources.ts';
+import { SourceFiles } from '../../runtime/site/python/source_files.ts';
 import { PackWorkspace, finished } from './pack_workspace.ts';
 
 const PACKAGES = resolve(import.meta.dirname, '../packages');

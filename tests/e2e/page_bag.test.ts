@@ -7,7 +7,7 @@ import { parse } from '@foxglove/rosmsg';
 import { MessageReader } from '@foxglove/rosmsg2-serialization';
 import { McapIndexedReader } from '@mcap/core';
 import type { Page } from 'playwright-core';
-import { Recorder } from '../../runtime/bag/recorder.ts';
+import { Recorder } from '../../runtime/site/bag/recorder.ts';
 import { MemorySink, until } from '../unit/bag/bag_parts.ts';
 import { FakeSession } from '../unit/ui/fake_session.ts';
 import { dropFile } from './drop_file.ts';

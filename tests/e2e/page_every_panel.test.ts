@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, Locator, Page } from 'playwright-core';
-import { texts } from '../../runtime/ui/texts.ts';
+import { texts } from '../../runtime/site/ui/texts.ts';
 import { chromiumOptions, kSoftwareWebGl } from './chromium.ts';
 import { packEveryPanel } from './every_panel_site.ts';
 import { expectAccessible } from './page_stage.ts';

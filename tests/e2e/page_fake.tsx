@@ -2,10 +2,10 @@
 // The session is reachable as globalThis.fake.
 
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
-import type { GraphEndpointView, GraphNodeView, GraphView } from '../../runtime/wasm_js/session.ts';
-import type { Sample } from '../unit/wasm_js/graph_peer.ts';
-import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
-import { mountPage } from '../../runtime/ui/mount.tsx';
+import type { GraphEndpointView, GraphNodeView, GraphView } from '../../runtime/site/contract/session.ts';
+import type { Sample } from '../unit/site/graph_peer.ts';
+import type { PagePublisher } from '../../runtime/site/contract/session.ts';
+import { mountPage } from '../../runtime/site/ui/mount.tsx';
 import { FakeChecks, type FakeOptions, FakeSession, FakeTasks, stringBytes } from '../unit/ui/fake_session.ts';
 
 const kInterfaces = new Map([
@@ -220,7 +220,7 @@ async function world(): Promise<FakeSession> {
   });
   fake.setTopics(kWorldTopics);
   await giveSend(fake);
-  const { createCodec } = await import('../../runtime/decode/codec.ts');
+  const { createCodec } = await import('../../runtime/site/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
   const goals: unknown[] = [];
   const listen = (topic: string, type: string, list: unknown[]): void => {
@@ -263,7 +263,7 @@ async function turtles(): Promise<FakeSession> {
 }
 
 async function giveSend(fake: FakeSession): Promise<void> {
-  const { createCodec } = await import('../../runtime/decode/codec.ts');
+  const { createCodec } = await import('../../runtime/site/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
   const publishers = new Map<string, PagePublisher>();
   Object.assign(globalThis, {
@@ -293,7 +293,7 @@ function sheet(): FakeSession {
 /** A service that adds and an action that counts, served by another participant of a real graph. `globalThis.leave()` ends it, `hush(true)` silences the service. */
 async function services(options: Partial<FakeOptions> = {}): Promise<FakeSession> {
   // Not part of the first view, which a test measures.
-  const { GraphPeer } = await import('../unit/wasm_js/graph_peer.ts');
+  const { GraphPeer } = await import('../unit/site/graph_peer.ts');
   const fake = new FakeSession({
     nodes: [{ executable: 'server' }],
     ...options,

@@ -1,6 +1,6 @@
 // Shows a fake session's page the graph as it really is, for scenes in which nodes come and go.
 
-import { graphView } from '../../runtime/wasm_js/graph_view.ts';
+import { graphView } from '../../runtime/site/bus/graph_view.ts';
 import type { FakeSession } from '../unit/ui/fake_session.ts';
 
 export function followGraph(fake: FakeSession): void {

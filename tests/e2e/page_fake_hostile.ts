@@ -1,10 +1,10 @@
 // The scene "hostile_work" of page_fake.tsx: nodes on a real graph whose names, fields, values, states and transitions
 // are markup. `globalThis.kept` has the bytes of what was published on /ground, `managed` the managed nodes.
 
-import { createCodec } from '../../runtime/decode/codec.ts';
+import { createCodec } from '../../runtime/site/decode/codec.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import { FakeSession } from '../unit/ui/fake_session.ts';
-import { GraphPeer } from '../unit/wasm_js/graph_peer.ts';
+import { GraphPeer } from '../unit/site/graph_peer.ts';
 import { kHealthInterfaces, ManagedPeer } from './page_fake_health.ts';
 import { followGraph } from './page_fake_graph.ts';
 

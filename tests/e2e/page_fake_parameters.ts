@@ -2,9 +2,9 @@
 // lets a test change them, leave and come again.
 
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
-import { createCodec, type Codec } from '../../runtime/decode/codec.ts';
+import { createCodec, type Codec } from '../../runtime/site/decode/codec.ts';
 import { FakeSession } from '../unit/ui/fake_session.ts';
-import { GraphPeer } from '../unit/wasm_js/graph_peer.ts';
+import { GraphPeer } from '../unit/site/graph_peer.ts';
 import { followGraph } from './page_fake_graph.ts';
 
 type Value = Readonly<Record<string, unknown>>;

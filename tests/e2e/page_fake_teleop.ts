@@ -1,10 +1,10 @@
 // The scene "teleop" of page_fake.tsx: nodes on a real graph that wait to be driven, /turtle1 by Twist and /robot by
 // TwistStamped. `globalThis.driven` has what they heard, and `arrive` lets one more come.
 
-import { createCodec } from '../../runtime/decode/codec.ts';
+import { createCodec } from '../../runtime/site/decode/codec.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import { FakeSession } from '../unit/ui/fake_session.ts';
-import { GraphPeer } from '../unit/wasm_js/graph_peer.ts';
+import { GraphPeer } from '../unit/site/graph_peer.ts';
 import { followGraph } from './page_fake_graph.ts';
 
 export interface Heard {

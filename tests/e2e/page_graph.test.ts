@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import type { GraphEndpointView, GraphNodeView } from '../../runtime/wasm_js/session.ts';
+import type { GraphEndpointView, GraphNodeView } from '../../runtime/site/contract/session.ts';
 import { PageStage, expectAccessible, focused, phone } from './page_stage.ts';
 
 declare global {

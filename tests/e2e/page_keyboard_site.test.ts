@@ -112,12 +112,14 @@ async function choose(item: string): Promise<void> {
   await press('Enter');
 }
 
-/** Opens a panel in the group that the focus is in, or the next one. `focused`: what has the focus then, usually its tab. */
-async function open(title: string, focused = title): Promise<void> {
+/** Opens a panel in the group that the focus is in, or the next one. `field`: what is in it. `focused`: what has the focus then, usually its tab. */
+async function open(title: string, field: string, focused = title): Promise<void> {
   await tabTo('Open a panel here');
   await choose(title);
   // A panel that takes the focus is loaded first.
   await eventually(`the focus is on ${focused}`, async () => (await focus()).name === focused);
+  // And so are others: whoever tabs on before meets what is behind them, and an editor there takes Tab for itself.
+  await page.getByLabel(field, { exact: true }).first().waitFor();
 }
 
 test('from the address bar to the last node stopped, without a pointer', watchdog, async () => {
@@ -134,7 +136,7 @@ test('from the address bar to the last node stopped, without a pointer', watchdo
   await page.getByText('8 of 8 running').waitFor();
 
   // A panel, beside the others, and back among them.
-  await open('Publish');
+  await open('Publish', 'Topic');
   await tabTo('Move or close Publish');
   await choose('Beside the others, right');
   assert.equal((await focus()).name, 'Publish');
@@ -154,7 +156,7 @@ test('from the address bar to the last node stopped, without a pointer', watchdo
   await press('Enter');
   await page.getByText('1 message sent').waitFor();
 
-  await open('Services and actions');
+  await open('Services and actions', 'Filter services');
   await tabTo('Filter services');
   await page.keyboard.type('/hold');
   await tabTo(/^\/hold/);
@@ -167,7 +169,7 @@ test('from the address bar to the last node stopped, without a pointer', watchdo
   await page.locator('.panel-services').getByText(/^held/).first().waitFor();
   await page.getByText('held for 4').first().waitFor();
 
-  await open('Parameters');
+  await open('Parameters', 'Filter parameters');
   await tabTo('Filter parameters');
   await page.keyboard.type('k_heading');
   await page.locator('.panel-parameters').getByRole('slider', { name: /k_heading/ }).waitFor();
@@ -178,7 +180,7 @@ test('from the address bar to the last node stopped, without a pointer', watchdo
   await press('Enter');
 
   // It is opened to be typed into.
-  await open('Terminal', 'Command');
+  await open('Terminal', 'Command', 'Command');
   await page.keyboard.type('ros2 param get /controller k_heading');
   await press('Enter');
   await page.getByText('Double value is: 3.5').waitFor();

@@ -29,7 +29,7 @@ export async function buildFakePage(folder: string): Promise<string> {
 }
 
 async function build(folder: string): Promise<string> {
-  const ui = join(kRoot, 'runtime/ui');
+  const ui = join(kRoot, 'runtime/site/ui');
   mkdirSync(folder, { recursive: true });
   const shared = { bundle: true, minify: true, target: 'es2022', logLevel: 'warning' } as const;
   await esbuild.build({

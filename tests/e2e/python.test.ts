@@ -17,7 +17,7 @@ import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 
 const watchdog = { timeout: 240_000 };
-const headless = fileURLToPath(new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+const headless = fileURLToPath(new URL('../../runtime/site/session/headless.ts', import.meta.url));
 let folder = '';
 let browser: Browser | undefined;
 

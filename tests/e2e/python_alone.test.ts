@@ -13,7 +13,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium } from 'playwright-core';
-import { stopGraceMs } from '../../runtime/wasm_js/process_runner.ts';
+import { stopGraceMs } from '../../runtime/site/program/process_runner.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { chromiumOptions } from './chromium.ts';

@@ -16,10 +16,10 @@ import assert from 'node:assert/strict';
 import { readFileSync, rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
-import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
+import { openHeadless } from '../../runtime/site/session/headless_session.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
-import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { prints, reaches } from '../unit/site/site_fixture.ts';
 import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
 
@@ -82,7 +82,7 @@ function check(texts: readonly string[], end: unknown): void {
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: seldom used parts of rclpy do what they do natively`, watchdog, async () => {
-    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {
       session.start('behaviour-1');
       const end = await Promise.race([prints(session, 'behaviour-1', /^that is all$/), reaches(session, 'behaviour-1', 'exited')]);

@@ -15,7 +15,7 @@ import { serveFolder } from '../support/static_server.ts';
 
 const watchdog = { timeout: 240_000 };
 const patience = { timeout: 100_000 };
-const headless = fileURLToPath(new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+const headless = fileURLToPath(new URL('../../runtime/site/session/headless.ts', import.meta.url));
 let folder = '';
 let browser: Browser | undefined;
 

@@ -13,7 +13,7 @@ import { ownPackage } from '../support/python_nodes.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 240_000 };
-const headless = fileURLToPath(new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+const headless = fileURLToPath(new URL('../../runtime/site/session/headless.ts', import.meta.url));
 const why = 'a program of a page cannot start another one';
 let folder = '';
 

@@ -8,9 +8,9 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
+import { openHeadless } from '../../runtime/site/session/headless_session.ts';
 import { ownPackage } from '../support/python_nodes.ts';
-import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { prints, reaches } from '../unit/site/site_fixture.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 240_000 };
@@ -48,7 +48,7 @@ after(() => rmSync(folder, { recursive: true }));
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: a stop is to a program what it has made of SIGINT`, watchdog, async () => {
-    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {
       for (const [way, [lines, code]] of Object.entries(ways)) {
         // Nothing reaches a worker that computes without sharing memory.

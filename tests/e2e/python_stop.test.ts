@@ -12,11 +12,11 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium } from 'playwright-core';
-import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
-import { stopGraceMs } from '../../runtime/wasm_js/process_runner.ts';
+import { openHeadless } from '../../runtime/site/session/headless_session.ts';
+import { stopGraceMs } from '../../runtime/site/program/process_runner.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { ownPackage } from '../support/python_nodes.ts';
-import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { prints, reaches } from '../unit/site/site_fixture.ts';
 import { chromiumOptions } from './chromium.ts';
 import { msToStop, typeInto } from './page_nodes.ts';
 import { makeSite } from './runtime_site.ts';
@@ -54,7 +54,7 @@ after(async () => {
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}, Node.js: a stop ends each wait, and the node starts again`, watchdog, async () => {
-    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {
       /** A publish waits once nothing more is said for a while. */
       const blocked = async (): Promise<void> => {

@@ -9,9 +9,9 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 
-import { type HeadlessSite, openHeadless } from '../../runtime/wasm_js/headless_session.ts';
+import { type HeadlessSite, openHeadless } from '../../runtime/site/session/headless_session.ts';
 import { ownPackage } from '../support/python_nodes.ts';
-import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { prints, reaches } from '../unit/site/site_fixture.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 240_000 };
@@ -75,7 +75,7 @@ const only = / (begins|ends after [\d.]+ ms)$|^passed$/;
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: every wait of a Python program follows held time`, watchdog, async () => {
-    const site = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const site = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     const { session } = site;
     const texts = (): readonly string[] => session.console('passes-1').lines().map(({ text }) => text);
     try {
@@ -103,7 +103,7 @@ for (const link of ['shared', 'port'] as const) {
   });
 
   test(`${link}: long waits are over in a moment when time goes a thousand times as fast`, watchdog, async () => {
-    const site = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const site = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     const { session } = site;
     try {
       session.start('long-2');
@@ -122,7 +122,7 @@ for (const link of ['shared', 'port'] as const) {
   });
 
   test(`${link}: requests that are in flight while time is held, goes in steps and runs again get one answer each`, watchdog, async () => {
-    const site = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const site = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     const { session } = site;
     try {
       session.start('serve-3');

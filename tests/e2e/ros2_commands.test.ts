@@ -9,16 +9,16 @@ import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import type { Page } from 'playwright-core';
-import { bagFiles, textOfFile } from '../../runtime/ros2cli/shell_files.ts';
-import { runCommand } from '../../runtime/ros2cli/run.ts';
-import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
-import type { Session } from '../../runtime/wasm_js/session.ts';
+import { bagFiles, textOfFile } from '../../runtime/site/ros2cli/shell_files.ts';
+import { runCommand } from '../../runtime/site/ros2cli/run.ts';
+import { openHeadless } from '../../runtime/site/session/headless_session.ts';
+import type { Session } from '../../runtime/site/contract/session.ts';
 import { CLI, finished } from './pack_workspace.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
-const entry = new URL('../../runtime/wasm_js/headless.ts', import.meta.url);
+const entry = new URL('../../runtime/site/session/headless.ts', import.meta.url);
 const packed = packedInBrowser((workspace) => {
   workspace.copyPackages('command_robot');
   workspace.write('workspace.yaml', `schema: 1

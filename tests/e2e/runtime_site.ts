@@ -6,15 +6,15 @@ import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { buildProgram } from '../unit/wasm_js/programs.ts';
-import type { SiteSources } from '../../runtime/wasm_js/site_sources.ts';
+import { buildProgram } from '../unit/site/programs.ts';
+import type { SiteSources } from '../../runtime/site/contract/site_sources.ts';
 import { addNumpy, addPythonFiles, describePython, type PythonNode } from '../support/python_nodes.ts';
-import { splitNames } from '../unit/wasm_js/site_fixture.ts';
+import { splitNames } from '../unit/site/site_fixture.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
 export interface TestNode {
-  /** File in tests/unit/wasm_js/programs. */
+  /** File in tests/unit/site/programs. */
   readonly program: string;
   readonly threads?: boolean;
   readonly respawn?: boolean;

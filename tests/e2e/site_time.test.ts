@@ -21,16 +21,16 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
-import { PortBroker, SharedBroker } from '../../runtime/wasm_js/broker.ts';
-import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
-import { readSite } from '../../runtime/wasm_js/site_reader.ts';
-import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
+import { PortBroker, SharedBroker } from '../../runtime/site/bus/broker.ts';
+import { nodePlatform } from '../../runtime/site/session/node_platform.ts';
+import { readSite } from '../../runtime/site/contract/site_reader.ts';
+import { SiteSession } from '../../runtime/site/session/site_session.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const name = 'site_time_checks';
-const entry = new URL('../../runtime/wasm_js/headless.ts', import.meta.url);
+const entry = new URL('../../runtime/site/session/headless.ts', import.meta.url);
 const waitMs = 100;
 const ways = {
   waits: [

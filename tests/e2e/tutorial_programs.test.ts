@@ -14,11 +14,11 @@ import assert from 'node:assert/strict';
 import { resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { createDecoder } from '../../runtime/decode/decoder.ts';
-import { SharedBroker } from '../../runtime/wasm_js/broker.ts';
-import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
-import { readSite } from '../../runtime/wasm_js/site_reader.ts';
-import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
+import { createDecoder } from '../../runtime/site/decode/decoder.ts';
+import { SharedBroker } from '../../runtime/site/bus/broker.ts';
+import { nodePlatform } from '../../runtime/site/session/node_platform.ts';
+import { readSite } from '../../runtime/site/contract/site_reader.ts';
+import { SiteSession } from '../../runtime/site/session/site_session.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const HEADLESS = resolve(process.env['ROS2WASM_BUILD'] ?? 'build', 'runtime/headless.js');

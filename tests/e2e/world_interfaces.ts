@@ -1,6 +1,6 @@
 // The messages and topics of the scene "world" of page_fake.tsx: what a 3D view shows.
 
-import type { TopicView } from '../../runtime/wasm_js/session.ts';
+import type { TopicView } from '../../runtime/site/contract/session.ts';
 
 const kMessages: Readonly<Record<string, string>> = {
   'builtin_interfaces/Time': 'int32 sec\nuint32 nanosec',

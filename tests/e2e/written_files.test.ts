@@ -21,7 +21,7 @@ import { makeSite } from './runtime_site.ts';
 import { withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 240_000 };
-const headless = fileURLToPath(new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+const headless = fileURLToPath(new URL('../../runtime/site/session/headless.ts', import.meta.url));
 const often = Array.from({ length: 500 }, (_, i) => `${i}\n`).join('');
 /** What tests/packages/chatter_py/scripts/files writes. */
 const wanted: Readonly<Record<string, string>> = {

@@ -5,9 +5,9 @@ import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
-import { readGiven } from '../../runtime/wasm_js/launch_arguments.ts';
-import { evaluateLaunch } from '../../runtime/wasm_js/launch_evaluation.ts';
-import { openEvaluator } from '../../runtime/wasm_js/launch_evaluator.ts';
+import { readGiven } from '../../runtime/site/contract/launch_arguments.ts';
+import { evaluateLaunch } from '../../runtime/site/launch/launch_evaluation.ts';
+import { openEvaluator } from '../../runtime/site/launch/launch_evaluator.ts';
 
 const [evaluator = '', data = '', folder = '', ...given] = process.argv.slice(2);
 

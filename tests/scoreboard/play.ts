@@ -1,13 +1,13 @@
 // Plays a packed site until its first node, or all that its launch file starts, is as expected, or cannot be any more, or time is up. Runs wherever a
 // site does.
-import { createDecoder } from '../../runtime/decode/decoder.ts';
+import { createDecoder } from '../../runtime/site/decode/decoder.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
-import { launchedCommands } from '../../runtime/ros2cli/launched_command.ts';
-import { type Admission, SharedBroker } from '../../runtime/wasm_js/broker.ts';
-import type { Platform } from '../../runtime/wasm_js/platform.ts';
-import type { NodeView } from '../../runtime/wasm_js/session.ts';
-import { readSite } from '../../runtime/wasm_js/site_reader.ts';
-import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
+import { launchedCommands } from '../../runtime/site/ros2cli/launched_command.ts';
+import { type Admission, SharedBroker } from '../../runtime/site/bus/broker.ts';
+import type { Platform } from '../../runtime/site/workers/platform.ts';
+import type { NodeView } from '../../runtime/site/contract/session.ts';
+import { readSite } from '../../runtime/site/contract/site_reader.ts';
+import { SiteSession } from '../../runtime/site/session/site_session.ts';
 import type { Expectation } from './expectation.ts';
 import { judge, type Seen, type SeenNode, type Verdict } from './judge.ts';
 

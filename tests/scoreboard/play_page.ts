@@ -1,5 +1,5 @@
 // The page that plays a site in a browser: `playSite` is called from outside.
-import { browserPlatform } from '../../runtime/wasm_js/browser_platform.ts';
+import { browserPlatform } from '../../runtime/site/session/browser_platform.ts';
 import { type Played, play } from './play.ts';
 import { received } from './posted.ts';
 

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
-import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
+import { nodePlatform } from '../../runtime/site/session/node_platform.ts';
 import { wholeChromium } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { type Asked, type Played, play } from './play.ts';

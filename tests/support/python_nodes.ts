@@ -22,7 +22,7 @@ export interface PythonNode {
   readonly environment?: Readonly<Record<string, string>>;
 }
 
-const library = join(root, 'runtime/libraries/pyodide');
+const library = join(root, 'runtime/packages/vendor/pyodide');
 
 /** What `make` writes there, made once of these files. Tests run side by side: whoever is last puts the same bytes there. */
 function madeOnce(name: string, sources: readonly string[], make: (place: string) => void): string {
@@ -73,13 +73,13 @@ export function addPythonFiles(folder: string, packages: Readonly<Record<string,
   const make = (out: string, pairs: readonly string[]): void => {
     execFileSync('python3', [join(root, 'tests/support/make_archive.py'), join(folder, 'python', out), ...pairs]);
   };
-  const interfaces = join(root, 'runtime/interfaces');
-  const rclpy = join(root, 'runtime/rclpy');
+  const interfaces = join(root, 'runtime/packages/interfaces');
+  const rclpy = join(root, 'runtime/packages/client/rclpy');
   const own = readdirSync(rclpy).filter((name) => !name.includes('.')).sort();
   const compiled = compiledModules(own.map((name) => join(rclpy, name)));
   make('rclpy.zip', [
     ...own.flatMap((name) => [join(rclpy, name), join(compiled, name)].map((folder) => `${folder}=${sitePackages}/${name}`)),
-    ...['ament_index_python', 'sensor_msgs_py'].map((name) => `${join(root, 'runtime', name, name)}=${sitePackages}/${name}`),
+    ...['ament_index_python', 'sensor_msgs_py'].map((name) => `${join(root, 'runtime/packages/tools', name, name)}=${sitePackages}/${name}`),
     `${interfaces}=share`,
   ]);
   make('packages.zip', Object.entries(packages).map(([from, place]) => `${from}=${place}`));

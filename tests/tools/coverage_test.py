@@ -14,14 +14,14 @@ class Coverage(unittest.TestCase):
         table: coverage.Table = {}
         with tempfile.TemporaryDirectory() as folder:
             coverage.scripts(Path(folder), table, [str(coverage.ROOT / "tests/unit/ui/console_lines.test.ts")])
-        reached = table["runtime/ui"]
+        reached = table["runtime/site/ui"]
         self.assertGreater(reached.reached, 20)
         self.assertLess(reached.reached, reached.all)
         self.assertFalse([name for name in table if not name.startswith("runtime/")])
 
     def test_folders(self) -> None:
         self.assertEqual(coverage.folder_of("bundler/channel/x.cpp"), "bundler/channel")
-        self.assertEqual(coverage.folder_of("runtime/ui/model/x.ts"), "runtime/ui")
+        self.assertEqual(coverage.folder_of("runtime/site/ui/model/x.ts"), "runtime/site/ui")
         self.assertEqual(coverage.folder_of("cli/main.cpp"), "cli")
         self.assertEqual(coverage.Lines(1, 8).percent(), "12.5")
         self.assertEqual(coverage.Lines().percent(), "-")

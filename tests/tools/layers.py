@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that nothing points up: the layer rules of ARCHITECTURE.md, read off the includes and imports."""
+"""Checks that nothing points up: the layer rules of ARCHITECTURE.md, read off the includes and imports.
+
+An import of a type counts like any other. No two files of the site import each other, however long the way round.
+"""
 from __future__ import annotations
 
 import re
@@ -8,77 +11,226 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# folder -> folders it may use besides itself. First matching folder (longest first) wins.
-ALLOWED: dict[str, set[str]] = {
-    "cli": {"bundler", "workspace_schema"},
-    "bundler": {"workspace_schema"},
-    "workspace_schema": set(),
-    "runtime/ui": {"runtime/bag", "runtime/decode", "runtime/ros2cli", "runtime/wasm_js", "runtime/protocol"},
-    "runtime/ros2cli": {"runtime/bag", "runtime/decode", "runtime/wasm_js"},
-    "runtime/bag": {"runtime/decode", "runtime/wasm_js"},
-    "runtime/decode": set(),
-    "runtime/wasm_js": {"runtime/decode", "runtime/protocol"},
-    "runtime/protocol": set(),
-    "runtime/wasm_cpp": {"runtime/protocol"},
+NATIVE = ("workspace_schema", "bundler", "cli")
+# The folders of the bundler, from the ground up. Files beside them put the steps together and may use all.
+BUNDLER = ("io", "archive", "channel", "store", "resolve", "workspace", "build", "languages", "launch", "render",
+           "plan", "verify", "emit", "serve", "run")
+# Includes that point up and are to go. None may be added; one that is gone is taken off the list.
+BUNDLER_DEBT = {
+    ("build/build_workspace.hpp", "languages/language.hpp"),
+    ("build/source_tree.cpp", "render/own_site.hpp"),
+    ("languages/ament_python.cpp", "launch/python_sandbox.hpp"),
+    ("languages/ament_python.cpp", "launch/python_tree.hpp"),
+    ("launch/installed_tree.hpp", "plan/site_plan.hpp"),
+    ("launch/launch_start.cpp", "plan/site_plan.hpp"),
+    ("launch/launch_start.cpp", "render/site_node_json.hpp"),
+    ("plan/site_signature.cpp", "verify/site_list.hpp"),
+    ("plan/site_signature.hpp", "verify/signature.hpp"),
+    ("render/carried_page.cpp", "verify/site_list.hpp"),
+    ("render/carried_page.hpp", "plan/site_plan.hpp"),
+    ("render/course_page.hpp", "plan/site_plan.hpp"),
+    ("render/interfaces_json.hpp", "plan/site_plan.hpp"),
+    ("render/license_list.hpp", "plan/site_component.hpp"),
+    ("render/own_site.cpp", "verify/site_list.hpp"),
+    ("render/packed_launch_json.hpp", "plan/site_plan.hpp"),
+    ("render/site_json.hpp", "plan/site_plan.hpp"),
+    ("render/site_node_json.hpp", "plan/site_plan.hpp"),
+    ("verify/course_check.cpp", "emit/precompressed.hpp"),
+    ("verify/site_check.cpp", "emit/precompressed.hpp"),
+    ("workspace/channel_request.cpp", "launch/python_tree.hpp"),
+    ("workspace/default_manifest.hpp", "launch/launch_graph.hpp"),
+    ("workspace/page_bags.hpp", "plan/site_plan.hpp"),
+    ("workspace/page_notebook.hpp", "plan/site_plan.hpp"),
+    ("workspace/page_text.hpp", "plan/site_plan.hpp"),
+    ("workspace/python_sources.hpp", "launch/python_tree.hpp"),
 }
-# The page sees the runtime through these files only.
-UI_DOORS = {
-    "session.ts", "launcher.ts", "carried_files.ts", "page_files.ts", "idle.ts", "qos_view.ts", "running_sha256.ts",
+SITE = "runtime/site"
+# The floors of the site, from the ground up: a file uses those of its own floor and of lower ones.
+FLOORS = ("contract", "bus", "program", "python", "workers", "launch", "page", "checks", "session")
+# Beside them: each sees the floors `contract` and what is named here, and nothing else of the site.
+ROOMS: dict[str, set[str]] = {
+    "decode": set(),
+    "bag": {"decode"},
+    "ros2cli": {"bag", "decode"},
+    "ui": {"bag", "decode", "ros2cli"},
 }
-# Commands and bags know no more than panels do; the programs for Node.js open the site themselves.
-COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts", "qos_view.ts"}
-HEADLESS_MAINS = {"runtime/ros2cli/headless_main.ts", "runtime/ros2cli/headless_run_main.ts"}
-# The bus looks into no message: of the layer that does it uses the rules of names only.
-DECODE_DOORS = {"ros_names.ts"}
-# Except for what decides a site's checks and tasks, which is beside the bus and loaded for sites that have some.
-MESSAGE_READERS = {"check_looks.ts", "check_run.ts", "task_run.ts"}
-NATIVE_INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:cli|bundler|workspace_schema)/[^"]+)"', re.MULTILINE)
+# Floors that look into messages; the others know only their bytes.
+MESSAGE_READERS = ("page", "checks", "session")
+# Rules of names are not messages.
+NAMES = f"{SITE}/decode/ros_names.ts"
+# Files above `contract` that a room may use, and why.
+DOORS: dict[str, set[str]] = {
+    # The page starts the session, and reads the files of a site that carries them in its page.
+    "ui": {"session/launcher.ts", "program/carried_files.ts", "program/page_files.ts"},
+    "ros2cli": set(),
+    "bag": set(),
+    "decode": set(),
+}
+# Programs for Node.js open the site themselves.
+MAINS: dict[str, set[str]] = {
+    "ros2cli/headless_main.ts": {"session/headless_session.ts", "session/site_session.ts", "session/coming_up.ts"},
+    "ros2cli/headless_run_main.ts": {"session/headless_session.ts", "session/headless_run.ts"},
+}
+NATIVE_INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([\w./-]+)[">]', re.MULTILINE)
 SCRIPT_IMPORT = re.compile(r"""(?:from|import)\s*\(?\s*['"](\.{1,2}/[^'"]+)['"]""")
 
 
-def layer_of(path: str) -> str | None:
-    for folder in sorted(ALLOWED, key=len, reverse=True):
-        if path == folder or path.startswith(folder + "/"):
-            return folder
-    return None
-
-
-def used_paths(file: Path, text: str) -> list[str]:
-    if file.suffix in {".cpp", ".hpp"}:
-        return NATIVE_INCLUDE.findall(text)
+def imports_of(file: Path) -> list[str]:
+    """The paths, from the root of the repository, of what a script imports."""
     found = []
-    for target in SCRIPT_IMPORT.findall(text):
+    for target in SCRIPT_IMPORT.findall(file.read_text(encoding="utf-8")):
         resolved = (file.parent / target).resolve()
         if resolved.is_relative_to(ROOT):
             found.append(resolved.relative_to(ROOT).as_posix())
     return found
 
 
-def violations() -> list[str]:
+def place_in_site(path: str) -> tuple[str, str] | None:
+    """(folder, rest) of a file of the site."""
+    if not path.startswith(SITE + "/"):
+        return None
+    folder, _, rest = path.removeprefix(SITE + "/").partition("/")
+    return folder, rest
+
+
+def fault_of_import(name: str, used: str) -> str | None:
+    """Why a file of the site may not import another file; None when it may."""
+    here, there = place_in_site(name), place_in_site(used)
+    if here is None:
+        return None
+    folder, rest = here
+    if there is None:
+        is_protocol = used.startswith("runtime/protocol/generated/")
+        return None if is_protocol else "the site uses nothing of the repository but the constants of the protocol"
+    other, other_rest = there
+    if folder == other or used == NAMES:
+        return None
+    if folder in FLOORS:
+        if other in FLOORS:
+            return "it is on a higher floor" if FLOORS.index(other) > FLOORS.index(folder) else None
+        if other != "decode":
+            return "floors do not use what stands beside them"
+        return None if folder in MESSAGE_READERS else "this floor knows no messages"
+    if other in ROOMS[folder] or other == "contract":
+        return None
+    door = f"{other}/{other_rest}"
+    if door in DOORS[folder] or door in MAINS.get(f"{folder}/{rest}", set()):
+        return None
+    return f"{folder} sees only {', '.join(['contract', *sorted(ROOMS[folder]), *sorted(DOORS[folder])])}"
+
+
+def circles(graph: dict[str, list[str]]) -> list[list[str]]:
+    """Groups of files that import each other, directly or not (Tarjan's algorithm, without recursion)."""
+    number: dict[str, int] = {}
+    low: dict[str, int] = {}
+    stack: list[str] = []
+    found: list[list[str]] = []
+    for root in graph:
+        if root in number:
+            continue
+        work = [(root, iter(graph[root]))]
+        number[root] = low[root] = len(number)
+        stack.append(root)
+        while work:
+            node, rest = work[-1]
+            after = next((one for one in rest if one in graph), None)
+            if after is not None:
+                if after not in number:
+                    number[after] = low[after] = len(number)
+                    stack.append(after)
+                    work.append((after, iter(graph[after])))
+                elif after in stack:
+                    low[node] = min(low[node], number[after])
+                continue
+            work.pop()
+            if work:
+                low[work[-1][0]] = min(low[work[-1][0]], low[node])
+            if low[node] == number[node]:
+                at = stack.index(node)
+                if len(stack) - at > 1:
+                    found.append(sorted(stack[at:]))
+                del stack[at:]
+    return found
+
+
+def native_faults() -> list[str]:
+    """Includes between the folders of the command line, and between it and what runs in a site."""
     errors = []
-    for folder, allowed in ALLOWED.items():
-        for file in sorted((ROOT / folder).rglob("*")):
-            if file.suffix not in {".cpp", ".hpp", ".ts", ".tsx"}:
-                continue
+    for index, folder in enumerate(NATIVE):
+        for file in sorted((ROOT / folder).rglob("*.?pp")):
             name = file.relative_to(ROOT).as_posix()
-            if layer_of(name) != folder:
-                continue
-            for used in used_paths(file, file.read_text(encoding="utf-8")):
-                layer = layer_of(used)
-                if layer is not None and layer != folder and layer not in allowed:
-                    errors.append(f"{name}: uses {used}, but {folder} may not use {layer}")
-                reads_messages = layer == "runtime/decode" and Path(used).name not in DECODE_DOORS
-                if folder == "runtime/wasm_js" and reads_messages and file.name not in MESSAGE_READERS:
-                    errors.append(f"{name}: uses {used}; the bus knows no messages")
-                is_command = folder in {"runtime/bag", "runtime/ros2cli"} and name not in HEADLESS_MAINS
-                if is_command and layer == "runtime/wasm_js" and Path(used).name not in COMMAND_DOORS:
-                    errors.append(f"{name}: uses {used}; commands see only {', '.join(sorted(COMMAND_DOORS))}")
-                if folder == "runtime/ui" and layer == "runtime/wasm_js" and Path(used).name not in UI_DOORS:
-                    errors.append(f"{name}: uses {used}; the page sees only {', '.join(sorted(UI_DOORS))}")
+            for used in NATIVE_INCLUDE.findall(file.read_text(encoding="utf-8")):
+                top = used.partition("/")[0]
+                if top in NATIVE and NATIVE.index(top) > index:
+                    errors.append(f"{name}: uses {used}; {folder} is below {top}")
+                if top == "runtime":
+                    errors.append(f"{name}: uses {used}; the command line includes nothing of the site")
     return errors
+
+
+def bundler_faults() -> list[str]:
+    """Includes between the folders of the bundler that point up."""
+    errors, debt = [], set()
+    for file in sorted((ROOT / "bundler").rglob("*.?pp")):
+        name = file.relative_to(ROOT / "bundler").as_posix()
+        folder, _, rest = name.partition("/")
+        if not rest:
+            continue
+        if folder not in BUNDLER:
+            errors.append(f"bundler/{name}: there is no such folder; {', '.join(BUNDLER)}")
+            continue
+        for used in NATIVE_INCLUDE.findall(file.read_text(encoding="utf-8")):
+            other, _, there = used.removeprefix("bundler/").partition("/")
+            if not used.startswith("bundler/") or (there and other not in BUNDLER):
+                continue
+            if there and BUNDLER.index(other) <= BUNDLER.index(folder):
+                continue
+            pair = (name, used.removeprefix("bundler/"))
+            debt.add(pair)
+            if pair not in BUNDLER_DEBT:
+                above = other if there else "what joins the steps"
+                errors.append(f"bundler/{name}: uses {used}; {folder} is below {above}")
+    gone = sorted(BUNDLER_DEBT - debt) if (ROOT / "bundler" / "pipeline.cpp").exists() else []
+    return errors + [f"bundler/{name} uses {used} no more: take it off the list in layers.py" for name, used in gone]
+
+
+def package_faults() -> list[str]:
+    """ROS packages of the channel include nothing of the command line or of the site."""
+    errors = []
+    for manifest in sorted((ROOT / "runtime" / "packages").glob("*/*/package.xml")):
+        for file in sorted(manifest.parent.rglob("*.?pp")):
+            name = file.relative_to(ROOT).as_posix()
+            for used in NATIVE_INCLUDE.findall(file.read_text(encoding="utf-8")):
+                if used.partition("/")[0] in (*NATIVE, "site", "runtime"):
+                    errors.append(f"{name}: uses {used}; packages know the protocol and other packages only")
+    return errors
+
+
+def site_faults() -> list[str]:
+    """Imports of the site that point up, and circles."""
+    errors = []
+    files = [file for file in sorted((ROOT / SITE).rglob("*")) if file.suffix in {".ts", ".tsx"}]
+    graph: dict[str, list[str]] = {}
+    for file in files:
+        name = file.relative_to(ROOT).as_posix()
+        folder = name.removeprefix(SITE + "/").partition("/")[0]
+        if folder not in FLOORS and folder not in ROOMS:
+            errors.append(f"{name}: there is no such floor; {', '.join((*FLOORS, *ROOMS))}")
+            continue
+        graph[name] = imports_of(file)
+        for used in graph[name]:
+            fault = fault_of_import(name, used)
+            if fault is not None:
+                errors.append(f"{name}: uses {used}; {fault}")
+    errors += [f"these import each other: {', '.join(circle)}" for circle in circles(graph)]
+    return errors
+
+
+def violations() -> list[str]:
+    return native_faults() + bundler_faults() + package_faults() + site_faults()
 
 
 if __name__ == "__main__":
     problems = violations()
-    print("\n".join(problems) if problems else "layers: nothing points up")
+    print("\n".join(problems) if problems else "layers: nothing points up, and nothing goes round")
     sys.exit(1 if problems else 0)

@@ -18,7 +18,7 @@ REGISTRY_OR_MACHINE = re.compile(
 LAUNCH_MODULES = "templates/python/launch_modules"
 CODE = re.compile(r"R2W\d{4}")
 # Included by projects that may not have called cmake_minimum_required() yet.
-CMAKE_MODULE = re.compile(r"(templates/toolchain/modules|runtime/\w+/cmake)/[^/]+\.cmake(\.in)?$")
+CMAKE_MODULE = re.compile(r"(templates/toolchain/modules|runtime/packages/\w+/\w+/cmake)/[^/]+\.cmake(\.in)?$")
 CMAKE_CODE = re.compile(r"^\s*(function|macro|if)\(", re.MULTILINE)
 NO_CODE = "R2W9999"  # stands for one that does not exist
 
@@ -74,8 +74,8 @@ def checks() -> dict[str, object]:
     python = tracked(".py")
     # Users' packages need no hints, nor do programs that are written as users write them. Launch files find modules
     # whose names others have too.
-    unhinted = ("tests/packages/", "examples/", "templates/workspaces/", "runtime/interfaces/", "runtime/demo_nodes_",
-                "runtime/urdf_launch/", LAUNCH_MODULES)
+    unhinted = ("tests/packages/", "examples/", "templates/workspaces/", "runtime/packages/interfaces/",
+                "runtime/packages/tools/demo_nodes_", "runtime/packages/tools/urdf_launch/", LAUNCH_MODULES)
     hinted = [n for n in python if not n.startswith(unhinted)]
     shell = ["dev", ".ci/run", *tracked(".sh")]
     return {

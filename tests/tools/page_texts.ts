@@ -1,4 +1,4 @@
-// Words that visitors of a page read stand in runtime/ui/texts*.ts alone: finds them in its components, as text content
+// Words that visitors of a page read stand in runtime/site/ui/texts*.ts alone: finds them in its components, as text content
 // and in attributes that are read, and sentences in everything else. Symbols and names of ROS and of files are the same
 // in every language: only text with two letters in a row that is no such name counts.
 
@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { parse } from 'acorn';
 import { transformSync } from 'esbuild';
 
-const kRoot = 'runtime/ui';
+const kRoot = 'runtime/site/ui';
 /** Attributes that are seen or heard, and props of our own parts that become such. */
 const kRead = new Set(['children', 'aria-label', 'aria-description', 'aria-roledescription', 'aria-valuetext', 'title', 'placeholder', 'alt', 'label', 'words', 'note']);
 /** `/cmd_vel`, `geometry_msgs/msg/Twist`, `CITATION.cff`, and what stands before a code in a terminal: `error[`. */
@@ -88,7 +88,7 @@ if (process.argv[1]?.endsWith('page_texts.ts') === true) {
   for (const name of readdirSync(kRoot, { recursive: true, encoding: 'utf8' }).filter((one) => /(?<!^texts\w*)\.tsx?$/.test(one))) {
     const text = readFileSync(join(kRoot, name), 'utf8');
     for (const words of new Set([...wordsIn(text), ...sentencesIn(text)])) {
-      console.log(`${join(kRoot, name)}: \u201c${words.trim()}\u201d belongs into runtime/ui/texts*.ts`);
+      console.log(`${join(kRoot, name)}: \u201c${words.trim()}\u201d belongs into runtime/site/ui/texts*.ts`);
       process.exitCode = 1;
     }
   }

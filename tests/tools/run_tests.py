@@ -154,7 +154,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         return sorted((ROOT / "tests" / folder).rglob("*.test.ts"))
 
     def node(files: list[Path]) -> list[str]:
-        return ["node", "--test", "--test-concurrency=2", *map(str, files)]
+        return ["node", "--test", "--test-concurrency=3", *map(str, files)]
 
     def rank(test: Path) -> int:
         name = test.name.removesuffix(".test.ts")

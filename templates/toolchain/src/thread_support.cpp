@@ -36,7 +36,7 @@ ros2wasm_real_timeout(int64_t* real_ns, int64_t site_ns);
 
 namespace {
 
-/// A place in the list that the page reads (runtime/wasm_js/thread_waits.ts): when time changes, it
+/// A place in the list that the page reads (runtime/site/program/thread_waits.ts): when time changes, it
 /// wakes all whose version is an older one. Places are used again and never freed.
 struct TimedWait {
   std::atomic<uint32_t> address;  ///< what is waited on; 0: nobody uses this place

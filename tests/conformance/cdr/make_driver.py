@@ -149,7 +149,7 @@ def main() -> int:
     options = parser.parse_args()
     work, out = options.work.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
-    interfaces = sorted(path.name for path in (ROOT / "runtime" / "interfaces").iterdir() if path.is_dir())
+    interfaces = sorted(path.name for path in (ROOT / "runtime" / "packages" / "interfaces").iterdir() if path.is_dir())
     edge = out / EDGE
     done = build_edge_interfaces(work, edge)
     if done.returncode == 0:

@@ -70,7 +70,7 @@ describe('interface definitions', () => {
   test('each refers to types that exist, in packages that its package.xml and CMakeLists.txt name', () => {
     const known = new Set(files.map((file) => file.type));
     for (const file of files) {
-      const folder = join(REPOSITORY, 'runtime', 'interfaces', file.package);
+      const folder = join(REPOSITORY, 'runtime/packages/interfaces', file.package);
       const manifest = readFileSync(join(folder, 'package.xml'), 'utf8');
       const recipe = readFileSync(join(folder, 'CMakeLists.txt'), 'utf8');
       assert.ok(recipe.includes(`"${file.kind}/${file.name}.${file.kind}"`), `${file.type} is not built`);
@@ -118,7 +118,7 @@ describe('versions', () => {
 
   test('every interface package has the version that versions.json names', () => {
     for (const pkg of new Set(files.map((file) => file.package))) {
-      const manifest = readFileSync(join(REPOSITORY, 'runtime/interfaces', pkg, 'package.xml'), 'utf8');
+      const manifest = readFileSync(join(REPOSITORY, 'runtime/packages/interfaces', pkg, 'package.xml'), 'utf8');
       assert.equal(/<version>(.*)<\/version>/.exec(manifest)?.[1], versions.packages[pkg]?.version, pkg);
     }
   });

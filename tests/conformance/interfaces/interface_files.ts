@@ -1,4 +1,4 @@
-// Finds the interface definitions of runtime/interfaces.
+// Finds the interface definitions of runtime/packages/interfaces.
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -26,7 +26,7 @@ function entries(folder: string): string[] {
   }
 }
 
-const SHIPPED = join(REPOSITORY, 'runtime', 'interfaces');
+const SHIPPED = join(REPOSITORY, 'runtime/packages/interfaces');
 
 /** All definitions of the packages in a folder, sorted by type; of those we ship, unless told others. */
 export function interfaceFiles(root: string = SHIPPED, packages: readonly string[] = entries(root)): InterfaceFile[] {

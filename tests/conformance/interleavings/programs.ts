@@ -2,11 +2,11 @@
 // so that each function here becomes one that pauses wherever the runtime reaches shared memory.
 
 import { ErrorCode, SampleInfoLayout } from '../../../runtime/protocol/generated/constants.ts';
-import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
-import { Bus, createBus } from '../../../runtime/wasm_js/bus.ts';
-import type { EndpointDescription, Heap } from '../../../runtime/wasm_js/link.ts';
-import { Sampler } from '../../../runtime/wasm_js/sampler.ts';
-import { SharedLink } from '../../../runtime/wasm_js/shared_link.ts';
+import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
+import { Bus, createBus } from '../../../runtime/site/bus/bus.ts';
+import type { EndpointDescription, Heap } from '../../../runtime/site/bus/link.ts';
+import { Sampler } from '../../../runtime/site/bus/sampler.ts';
+import { SharedLink } from '../../../runtime/site/bus/shared_link.ts';
 
 export { Bus, createBus, Sampler, SharedBroker, SharedLink };
 

@@ -4,7 +4,7 @@
 import { BusEndpoint, BusHeader, BusSizes, Durability, EndpointKind, History } from '../../../runtime/protocol/generated/constants.ts';
 import type { Limits, Run } from './explorer.ts';
 import type { Message, Received } from './programs.ts';
-import type { EndpointQos } from '../../../runtime/wasm_js/qos.ts';
+import type { EndpointQos } from '../../../runtime/site/contract/qos.ts';
 import { keepAllLimit, type Laboratory, sceneLayout, SceneWorld } from './world.ts';
 
 export interface ExploredScene {

@@ -1,4 +1,4 @@
-// Makes code of runtime/wasm_js pause before every access to shared memory, so that a test decides who goes on.
+// Makes code of runtime/site pause before every access to shared memory, so that a test decides who goes on.
 // Nothing is written anew: each function that reaches shared memory becomes a generator, each access a point where it
 // may yield to the explorer (stepper.ts). What a function does, and in which order, stays as it is in the source.
 
@@ -13,7 +13,7 @@ const viewNames = new Set(['i32', 'u8', 'words', 'from', 'to', 'fromWords', 'toW
 /** Parameters under which functions that reach shared memory are handed over. */
 const calledBack = ['look', 'needed'];
 const callbackMethods = new Set(['some', 'every', 'filter', 'map', 'forEach']);
-/** Atomic accesses of runtime/wasm_js/bus.ts, by the word's index. */
+/** Atomic accesses of runtime/site/bus/bus.ts, by the word's index. */
 const busMethods = new Set(['load', 'store', 'add', 'sub', 'or', 'exchange', 'compareExchange']);
 const rangeMethods = new Set(['fill', 'set', 'slice', 'copyWithin']);
 

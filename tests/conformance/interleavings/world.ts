@@ -4,9 +4,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { BusHeader, EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
-import type { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
-import type { EndpointDescription } from '../../../runtime/wasm_js/link.ts';
-import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
+import type { SharedBroker } from '../../../runtime/site/bus/broker.ts';
+import type { EndpointDescription } from '../../../runtime/site/bus/link.ts';
+import { defaultQos, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
 import type { Run } from './explorer.ts';
 import type * as programs from './programs.ts';
 import { Snapshot } from './snapshot.ts';
@@ -24,10 +24,12 @@ const heapBytes = 1 << 18;
 /** Atomics themselves, or the bus's own functions in their place. */
 const reaching = /\bAtomics\b|\bbus\.(load|store|add|sub|or|exchange|compareExchange)\(/;
 
+const floors = ['contract', 'bus', 'program', 'python', 'workers', 'launch', 'page', 'checks', 'session'];
+
 /** Every file of the runtime that reaches shared memory, and the programs. */
 function steppedFiles(): string[] {
-  const folder = fileURLToPath(new URL('../../../runtime/wasm_js/', import.meta.url));
-  const files = readdirSync(folder).filter((file) => file.endsWith('.ts')).map((file) => join(folder, file));
+  const site = fileURLToPath(new URL('../../../runtime/site/', import.meta.url));
+  const files = floors.flatMap((floor) => readdirSync(join(site, floor)).map((file) => join(site, floor, file)));
   return [...files.filter((file) => reaching.test(readFileSync(file, 'utf8'))), programsFile];
 }
 

@@ -1,7 +1,7 @@
 // Runs scenes in a page; the test calls runScene.
 
-import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
-import { lifeOver, newLife } from '../../../runtime/wasm_js/worker_life.ts';
+import type { LinkKind } from '../../../runtime/site/contract/session.ts';
+import { lifeOver, newLife } from '../../../runtime/site/workers/worker_life.ts';
 import { allScenes } from './all_scenes.ts';
 import { type RawWorker, World } from './world.ts';
 

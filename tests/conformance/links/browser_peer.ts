@@ -1,6 +1,6 @@
 // Entry of a conformance worker in a browser.
 
-import { holdLife } from '../../../runtime/wasm_js/worker_life.ts';
+import { holdLife } from '../../../runtime/site/workers/worker_life.ts';
 import { servePeer } from './peer.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;

@@ -16,6 +16,7 @@ import { chromiumOptions } from '../../e2e/chromium.ts';
 import { type StaticServer, serveFolder } from '../../support/static_server.ts';
 import { addPyodide } from '../../support/python_nodes.ts';
 import { allScenes } from './all_scenes.ts';
+import { isPlayed } from './combinations.ts';
 import { killScenes } from './kill_scenes.ts';
 import { putPeerArchive, tooLarge } from './python_start.ts';
 
@@ -47,14 +48,12 @@ after(async () => {
 });
 
 /** Who is killed takes an interpreter along: python_links.test.ts has those scenes. */
-const left = new Set([tooLarge, ...killScenes.map(({ name }) => name)]);
-const forPython = allScenes.filter(({ name }) => !left.has(name));
+const inNode = new Set([tooLarge, ...killScenes.map(({ name }) => name)]);
 
 for (const kind of ['shared', 'port'] as const) {
-  for (const [between, scenes] of [
-    ['TypeScript', allScenes], ['Python to TypeScript', forPython], ['TypeScript to Python', forPython], ['Python to Python', forPython],
-  ] as const) {
-    for (const { name } of scenes) {
+  for (const between of ['TypeScript', 'Python to TypeScript', 'TypeScript to Python', 'Python to Python']) {
+    for (const [index, { name }] of allScenes.entries()) {
+      if (between !== 'TypeScript' && (inNode.has(name) || !isPlayed('Chromium', kind, index))) continue;
       test(`Chromium, ${kind}, ${between}: ${name}`, { timeout: watchdogMs }, async () => {
         const outcome = await page.evaluate(([k, n, b]) => {
           const run = (globalThis as unknown as { runScene: (kind: string, name: string, between: string) => Promise<string | undefined> }).runScene;

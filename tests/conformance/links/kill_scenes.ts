@@ -1,7 +1,7 @@
 // Workers that are killed while they run on: a browser ends them some time after it was told to, and the next program
 // has begun by then.
 
-import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
 import { check, equal, keepAll, range, type Scene } from './scenes.ts';
 import type { RemotePeer, World } from './world.ts';
 

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
 import { startNodeWorker } from './node_start.ts';
 import { World } from './world.ts';
 

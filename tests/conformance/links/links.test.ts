@@ -1,7 +1,7 @@
 // Both links under Node.js worker threads.
 
 import { test } from 'node:test';
-import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import type { LinkKind } from '../../../runtime/site/contract/session.ts';
 import { allScenes } from './all_scenes.ts';
 import { startNodeWorker } from './node_start.ts';
 import { World } from './world.ts';

@@ -2,9 +2,9 @@
 // Runs in Node worker threads and in browser workers.
 
 import { EndpointKind, ErrorCode, SampleInfoLayout, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
-import type { EndpointStatus, GraphSnapshot, Heap, Link } from '../../../runtime/wasm_js/link.ts';
-import { type LinkTicket, openLink } from '../../../runtime/wasm_js/open_link.ts';
-import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
+import type { EndpointStatus, GraphSnapshot, Heap, Link } from '../../../runtime/site/bus/link.ts';
+import { type LinkTicket, openLink } from '../../../runtime/site/bus/open_link.ts';
+import { defaultQos, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
 
 export interface EndpointOptions {
   readonly node: number;

@@ -1,7 +1,7 @@
 // Entry of a conformance worker in a browser whose program is Python.
 
 import type { loadPyodide } from 'pyodide';
-import { holdLife } from '../../../runtime/wasm_js/worker_life.ts';
+import { holdLife } from '../../../runtime/site/workers/worker_life.ts';
 import { servePythonPeer } from './python_serving.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope & { readonly loadPyodide: typeof loadPyodide };

@@ -5,14 +5,12 @@
 // time that is held, stepped and scaled
 
 import { after, test } from 'node:test';
-import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import type { LinkKind } from '../../../runtime/site/contract/session.ts';
+import { allScenes } from './all_scenes.ts';
+import { isPlayed } from './combinations.ts';
 import { killScenes } from './kill_scenes.ts';
 import { startNodeWorker } from './node_start.ts';
 import { PythonWorkers, tooLarge } from './python_start.ts';
-import { qosScenes } from './qos_scenes.ts';
-import { scenes } from './scenes.ts';
-import { serviceScenes } from './service_scenes.ts';
-import { timeScenes } from './time_scenes.ts';
 import { type RawWorker, World } from './world.ts';
 
 const watchdogMs = 120_000;
@@ -34,8 +32,9 @@ const sides: Readonly<Record<string, readonly [Start, Start]>> = {
 
 for (const kind of ['shared', 'port'] as const satisfies readonly LinkKind[]) {
   for (const [between, starts] of Object.entries(sides)) {
-    for (const scene of [...scenes, ...qosScenes, ...serviceScenes, ...timeScenes, ...(between === killing ? killScenes : [])]) {
+    for (const [index, scene] of allScenes.entries()) {
       if (scene.name === tooLarge) continue;
+      if (killScenes.includes(scene) ? between !== killing : !isPlayed('Node.js', kind, index)) continue;
       test(`${kind}, ${between}: ${scene.name}`, { timeout: watchdogMs }, async () => {
         let begun = 0;
         const world = new World(kind, () => starts[begun++ % 2]!());

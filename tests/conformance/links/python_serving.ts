@@ -1,11 +1,12 @@
 // A conformance worker whose program is Python (python_peer.py). The interpreter is started once; each scene gives it a
 // link of its own.
 
-import type { SiteClock } from '../../../runtime/wasm_js/clock.ts';
-import type { Link } from '../../../runtime/wasm_js/link.ts';
-import { type LinkTicket, openLink } from '../../../runtime/wasm_js/open_link.ts';
-import type { ProgramHost } from '../../../runtime/wasm_js/program.ts';
-import { runPython, type WorkerFiles } from '../../../runtime/wasm_js/python_program.ts';
+import type { SiteClock } from '../../../runtime/site/bus/clock.ts';
+import type { Link } from '../../../runtime/site/bus/link.ts';
+import { type LinkTicket, openLink } from '../../../runtime/site/bus/open_link.ts';
+import type { ProgramHost } from '../../../runtime/site/program/program.ts';
+import { runPython } from '../../../runtime/site/python/python_program.ts';
+import type { WorkerFiles } from '../../../runtime/site/python/worker_files.ts';
 
 /** Where its parts lie. */
 export interface PythonPeerPlace {

@@ -2,7 +2,7 @@
 // the runtime.
 
 import { Durability, Liveliness, PolicyKind, Reliability } from '../../../runtime/protocol/generated/constants.ts';
-import type { EndpointQos } from '../../../runtime/wasm_js/qos.ts';
+import type { EndpointQos } from '../../../runtime/site/contract/qos.ts';
 
 export interface QosCell {
   readonly offer: Partial<EndpointQos>;

@@ -6,7 +6,7 @@
 import {
   BusSizes, Durability, ErrorCode, History, PolicyKind, Reliability, StatusKind, WaitResult,
 } from '../../../runtime/protocol/generated/constants.ts';
-import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
 import type { World } from './world.ts';
 
 export interface Scene {

@@ -5,7 +5,7 @@
 // condition variables, futures and timed mutexes, of threads too
 
 import { Durability, Liveliness, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
-import { SiteTimeControl } from '../../../runtime/wasm_js/site_time.ts';
+import { SiteTimeControl } from '../../../runtime/site/bus/site_time.ts';
 import { check, equal, pair, type Scene } from './scenes.ts';
 import type { RemotePeer, World } from './world.ts';
 

@@ -1,7 +1,7 @@
 // A scene's world: a broker and workers, whatever the platform.
 
-import { type Broker, PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
-import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import { type Broker, PortBroker, SharedBroker } from '../../../runtime/site/bus/broker.ts';
+import type { LinkKind } from '../../../runtime/site/contract/session.ts';
 import type { Peer, PeerCall } from './peer.ts';
 
 export interface RawWorker {

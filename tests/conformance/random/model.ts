@@ -2,7 +2,7 @@
 // Knows neither memory nor threads.
 
 import { Durability, EndpointKind, flagIgnoreLocal, History } from '../../../runtime/protocol/generated/constants.ts';
-import { incompatiblePolicy, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
+import { incompatiblePolicy, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
 
 export interface ModelSample {
   readonly writer: ModelEndpoint;

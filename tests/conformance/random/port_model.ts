@@ -2,7 +2,7 @@
 // but whether it may, and what must have come when all is quiet.
 
 import { Durability, EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
-import { reads } from '../../../runtime/wasm_js/graph.ts';
+import { reads } from '../../../runtime/site/bus/graph.ts';
 import { depthOf, Model, type ModelEndpoint, type ModelSample } from './model.ts';
 
 /** A writer as one of its readers knows it. */

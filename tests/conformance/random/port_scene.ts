@@ -1,10 +1,10 @@
 // A random scene on the port link: messages between participants arrive late, and in any order between two channels.
 
 import { ErrorCode } from '../../../runtime/protocol/generated/constants.ts';
-import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
-import { reads } from '../../../runtime/wasm_js/graph.ts';
-import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
-import { windowFrames } from '../../../runtime/wasm_js/port_writer.ts';
+import { PortBroker } from '../../../runtime/site/bus/broker.ts';
+import { reads } from '../../../runtime/site/bus/graph.ts';
+import { PortLink } from '../../../runtime/site/bus/port_link.ts';
+import { windowFrames } from '../../../runtime/site/bus/port_writer.ts';
 import { type Generator } from './generator.ts';
 import { HandNet, type HandPort } from './hand_channel.ts';
 import type { ModelEndpoint, ModelSample } from './model.ts';

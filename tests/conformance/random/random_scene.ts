@@ -4,8 +4,8 @@
 import {
   Durability, EndpointKind, ErrorCode, flagIgnoreLocal, History, Reliability, SampleInfoLayout,
 } from '../../../runtime/protocol/generated/constants.ts';
-import type { Link } from '../../../runtime/wasm_js/link.ts';
-import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
+import type { Link } from '../../../runtime/site/bus/link.ts';
+import { defaultQos, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
 import { type Generator } from './generator.ts';
 import { Model, type ModelEndpoint, type ModelSample } from './model.ts';
 

@@ -2,10 +2,10 @@
 // says. Nothing may stay behind on the bus.
 
 import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
-import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
-import { Bus } from '../../../runtime/wasm_js/bus.ts';
-import { defaultQos } from '../../../runtime/wasm_js/qos.ts';
-import { SharedLink } from '../../../runtime/wasm_js/shared_link.ts';
+import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
+import { Bus } from '../../../runtime/site/bus/bus.ts';
+import { defaultQos } from '../../../runtime/site/contract/qos.ts';
+import { SharedLink } from '../../../runtime/site/bus/shared_link.ts';
 import { type Generator } from './generator.ts';
 import { Model, type ModelSample } from './model.ts';
 import { type Held, type Participant, RandomScene } from './random_scene.ts';

@@ -1,10 +1,10 @@
 // A world of two or three tabs with a bridge between each two. Peers come up in one tab after the other, so that every
 // scene for a link is one for tabs too.
 
-import type { Broker } from '../../../runtime/wasm_js/broker.ts';
-import { openLink } from '../../../runtime/wasm_js/open_link.ts';
-import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
-import { TabBridge, tabChannel } from '../../../runtime/wasm_js/tab_bridge.ts';
+import type { Broker } from '../../../runtime/site/bus/broker.ts';
+import { openLink } from '../../../runtime/site/bus/open_link.ts';
+import type { LinkKind } from '../../../runtime/site/contract/session.ts';
+import { TabBridge, tabChannel } from '../../../runtime/site/bus/tab_bridge.ts';
 import { newBroker, type RawWorker, type RemotePeer, World } from '../links/world.ts';
 
 interface Half {

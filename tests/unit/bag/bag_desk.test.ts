@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BagDesk } from '../../../runtime/ui/parts/bag_desk.ts';
+import { BagDesk } from '../../../runtime/site/ui/parts/bag_desk.ts';
 import { FakeSession, stringBytes } from '../ui/fake_session.ts';
 import { until } from './bag_parts.ts';
 

@@ -1,6 +1,6 @@
 // What tests of bags share: bags in memory, and waiting.
 
-import type { BagSource } from '../../../runtime/bag/bag_file.ts';
+import type { BagSource } from '../../../runtime/site/bag/bag_file.ts';
 
 export class MemorySink {
   readonly parts: Uint8Array[] = [];

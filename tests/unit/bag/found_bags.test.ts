@@ -6,10 +6,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { crc32 } from 'node:zlib';
-import { type Bag, openBag } from '../../../runtime/bag/bag_file.ts';
-import { bagInfo } from '../../../runtime/ros2cli/bag_info.ts';
-import { bagFiles } from '../../../runtime/ros2cli/shell_files.ts';
-import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
+import { type Bag, openBag } from '../../../runtime/site/bag/bag_file.ts';
+import { bagInfo } from '../../../runtime/site/ros2cli/bag_info.ts';
+import { bagFiles } from '../../../runtime/site/ros2cli/shell_files.ts';
+import { SiteError } from '../../../runtime/site/contract/site_error.ts';
 import { sourceOf } from './bag_parts.ts';
 
 const watchdog = { timeout: 60_000 };

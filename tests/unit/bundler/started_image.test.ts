@@ -16,7 +16,7 @@ const [plain, begun] = ['plain', 'begun'].map((name) => join(folder, name)) as [
 const image = join(begun, 'started.image');
 
 function makeImage(to: string, environment: NodeJS.ProcessEnv = {}): string {
-  const make = join(root, 'runtime/libraries/pyodide/make_image.mjs');
+  const make = join(root, 'runtime/packages/vendor/pyodide/make_image.mjs');
   execFileSync(process.execPath, [make, source, join(source, 'python_stdlib.zip'), to], { env: { ...process.env, ...environment }, cwd: folder });
   return createHash('sha256').update(readFileSync(to)).digest('hex');
 }

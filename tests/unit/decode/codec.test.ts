@@ -4,8 +4,8 @@ import { test } from 'node:test';
 import { inspect } from 'node:util';
 import { parse } from '@foxglove/rosmsg';
 import { MessageWriter } from '@foxglove/rosmsg2-serialization';
-import { createCodec } from '../../../runtime/decode/codec.ts';
-import { gatherDefinition } from '../../../runtime/decode/definitions.ts';
+import { createCodec } from '../../../runtime/site/decode/codec.ts';
+import { gatherDefinition } from '../../../runtime/site/decode/definitions.ts';
 
 const interfaces = new Map([
   ['std_msgs/msg/String', 'string data\n'],

@@ -7,11 +7,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { parse } from '@foxglove/rosmsg';
 import { MessageWriter } from '@foxglove/rosmsg2-serialization';
-import { createDecoder } from '../../../runtime/decode/decoder.ts';
-import type { Decoded } from '../../../runtime/decode/decoder.ts';
-import { gatherDefinition, qualify } from '../../../runtime/decode/definitions.ts';
-import { inFlow } from '../../../runtime/decode/flow_yaml.ts';
-import { toYaml } from '../../../runtime/decode/yaml.ts';
+import { createDecoder } from '../../../runtime/site/decode/decoder.ts';
+import type { Decoded } from '../../../runtime/site/decode/decoder.ts';
+import { gatherDefinition, qualify } from '../../../runtime/site/decode/definitions.ts';
+import { inFlow } from '../../../runtime/site/decode/flow_yaml.ts';
+import { toYaml } from '../../../runtime/site/decode/yaml.ts';
 
 const interfaces = new Map([
   ['std_msgs/msg/String', '# a text\nstring data\n'],

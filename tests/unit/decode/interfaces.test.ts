@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { createDecoder } from '../../../runtime/decode/decoder.ts';
+import { createDecoder } from '../../../runtime/site/decode/decoder.ts';
 
-const kRoot = fileURLToPath(new URL('../../../runtime/interfaces', import.meta.url));
+const kRoot = fileURLToPath(new URL('../../../runtime/packages/interfaces', import.meta.url));
 const kParts: Readonly<Record<string, readonly string[]>> = {
   msg: [''],
   srv: ['_Request', '_Response'],

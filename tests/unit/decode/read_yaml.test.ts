@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { inspect } from 'node:util';
-import { createCodec } from '../../../runtime/decode/codec.ts';
-import { type Fill, readMessage, readYaml } from '../../../runtime/decode/read_yaml.ts';
+import { createCodec } from '../../../runtime/site/decode/codec.ts';
+import { type Fill, readMessage, readYaml } from '../../../runtime/site/decode/read_yaml.ts';
 
 const codec = createCodec(new Map([
   ['std_msgs/msg/Header', 'builtin_interfaces/Time stamp\nstring frame_id\n'],

@@ -1,7 +1,7 @@
 // Names of ROS 2: what is a full name, what relative names mean, which names are hidden.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { checkFullName, expandName, fullTypeName, isHiddenName, splitNodeName } from '../../../runtime/decode/ros_names.ts';
+import { checkFullName, expandName, fullTypeName, isHiddenName, splitNodeName } from '../../../runtime/site/decode/ros_names.ts';
 
 test('full names are checked in the words of ROS 2', () => {
   for (const good of ['/chatter', '/a/b_1/C', '/_hidden', '/turtle1/cmd_vel']) assert.equal(checkFullName(good), undefined, good);

@@ -1,8 +1,8 @@
 // YAML as `ros2 topic echo` prints it: scalars against PyYAML's own output, then whole messages.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { formatFloat, formatText, toYaml } from '../../../runtime/decode/yaml.ts';
-import type { Shape } from '../../../runtime/decode/shape.ts';
+import { formatFloat, formatText, toYaml } from '../../../runtime/site/decode/yaml.ts';
+import type { Shape } from '../../../runtime/site/decode/shape.ts';
 import { floatVectors, textVectors } from './yaml_vectors.ts';
 
 test('texts are quoted as PyYAML quotes them', () => {

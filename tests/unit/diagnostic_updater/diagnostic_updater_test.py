@@ -21,7 +21,8 @@ class DiagnosticUpdaterTest(BusTest):
     @classmethod
     def setUpClass(cls) -> None:
         super().setUpClass()
-        cls.enterClassContext(mock.patch.object(sys, 'path', [str(ROOT / 'runtime/diagnostic_updater'), *sys.path]))
+        package = ROOT / 'runtime/packages/tools/diagnostic_updater'
+        cls.enterClassContext(mock.patch.object(sys, 'path', [str(package), *sys.path]))
         cls.updater = importlib.import_module('diagnostic_updater')
         cls.message = importlib.import_module('diagnostic_msgs.msg')
 

@@ -52,20 +52,21 @@ class FakeHost(types.ModuleType):
 
 def forget() -> None:
     """The next class imports all of it anew, on a host of its own."""
-    runtime = ROOT / 'runtime'
+    packages = ROOT / 'runtime/packages'
     for name, module in list(sys.modules.items()):
         file = getattr(module, '__file__', None)
-        if (runtime / 'interfaces' / name.partition('.')[0]).is_dir() or (file and Path(file).is_relative_to(runtime)):
+        is_message = (packages / 'interfaces' / name.partition('.')[0]).is_dir()
+        if is_message or (file and Path(file).is_relative_to(packages)):
             del sys.modules[name]
 
 
 def install(cls: type[unittest.TestCase], *packages: str) -> None:
-    """rclpy, the interfaces, and packages of runtime/."""
+    """rclpy, the interfaces, and packages of runtime/packages/."""
     cls.addClassCleanup(forget)
     prefix = cls.enterClassContext(tempfile.TemporaryDirectory())
-    (Path(prefix) / 'share').symlink_to(ROOT / 'runtime/interfaces')
+    (Path(prefix) / 'share').symlink_to(ROOT / 'runtime/packages/interfaces')
     cls.enterClassContext(mock.patch.dict(os.environ, AMENT_PREFIX_PATH=prefix))
-    folders = [str(ROOT / 'runtime' / name) for name in ('rclpy', *packages)]
+    folders = [str(next((ROOT / 'runtime/packages').glob(f'*/{name}'))) for name in ('rclpy', *packages)]
     cls.enterClassContext(mock.patch.object(sys, 'path', [*folders, *sys.path]))
     cls.enterClassContext(mock.patch.object(sys, 'meta_path', [*sys.meta_path]))
     importlib.import_module('ros2wasm.import_hook').install()

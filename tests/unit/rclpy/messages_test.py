@@ -108,7 +108,7 @@ class MessagesTest(Messages):
 
     def test_every_type_comes_back_from_its_bytes(self) -> None:
         count = 0
-        for file in sorted((ROOT / 'runtime/interfaces').glob('*/*/*.*')):
+        for file in sorted((ROOT / 'runtime/packages/interfaces').glob('*/*/*.*')):
             kind = file.parent.name
             if file.suffix != f'.{kind}':
                 continue

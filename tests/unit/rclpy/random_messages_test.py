@@ -97,7 +97,7 @@ class RandomMessagesTest(unittest.TestCase):
     def test_bytes_are_those_of_a_plain_writer_and_come_back(self) -> None:
         rng = random.Random(SEED)
         count = 0
-        for file in sorted((ROOT / 'runtime/interfaces').glob('*/*/*.*')):
+        for file in sorted((ROOT / 'runtime/packages/interfaces').glob('*/*/*.*')):
             kind = file.parent.name
             if file.suffix != f'.{kind}':
                 continue

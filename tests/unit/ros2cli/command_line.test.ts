@@ -1,13 +1,13 @@
 // The command line of ros2: words and quotes, options, what is refused, completion, and Python's way to write values.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { complete, wanted } from '../../../runtime/ros2cli/complete.ts';
-import { parametersOfFile } from '../../../runtime/ros2cli/parameter_file.ts';
-import { parseCommand, splitLine } from '../../../runtime/ros2cli/parse.ts';
-import { reprFloat, reprMessage, reprText } from '../../../runtime/ros2cli/python_text.ts';
-import { dumpText, parameterValue, pythonValue } from '../../../runtime/ros2cli/parameters.ts';
-import { commands } from '../../../runtime/ros2cli/table.ts';
-import type { GraphView } from '../../../runtime/wasm_js/session.ts';
+import { complete, wanted } from '../../../runtime/site/ros2cli/complete.ts';
+import { parametersOfFile } from '../../../runtime/site/ros2cli/parameter_file.ts';
+import { parseCommand, splitLine } from '../../../runtime/site/ros2cli/parse.ts';
+import { reprFloat, reprMessage, reprText } from '../../../runtime/site/ros2cli/python_text.ts';
+import { dumpText, parameterValue, pythonValue } from '../../../runtime/site/ros2cli/parameters.ts';
+import { commands } from '../../../runtime/site/ros2cli/table.ts';
+import type { GraphView } from '../../../runtime/site/contract/session.ts';
 
 test('words are split as a shell does it', () => {
   assert.deepEqual(splitLine(`ros2 topic pub  /x "{a: 1}" '{b: "2"}' a\\ b ""`), ['ros2', 'topic', 'pub', '/x', '{a: 1}', '{b: "2"}', 'a b', '']);

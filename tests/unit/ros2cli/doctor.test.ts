@@ -1,9 +1,9 @@
 // What ros2 doctor makes of a site: why QoS policies do not fit, in rmw's words, exactly where the bus refuses a match; nodes that are not well.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { doctorCommand, misfitReason } from '../../../runtime/ros2cli/doctor_commands.ts';
-import { misfitPolicy } from '../../../runtime/wasm_js/qos_view.ts';
-import type { EndpointQosView, NodeView, Session } from '../../../runtime/wasm_js/session.ts';
+import { doctorCommand, misfitReason } from '../../../runtime/site/ros2cli/doctor_commands.ts';
+import { misfitPolicy } from '../../../runtime/site/contract/qos_view.ts';
+import type { EndpointQosView, NodeView, Session } from '../../../runtime/site/contract/session.ts';
 
 const qos: EndpointQosView = {
   reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,

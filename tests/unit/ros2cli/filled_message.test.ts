@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createCodec } from '../../../runtime/decode/codec.ts';
-import { fillMessage } from '../../../runtime/ros2cli/filled_message.ts';
+import { createCodec } from '../../../runtime/site/decode/codec.ts';
+import { fillMessage } from '../../../runtime/site/ros2cli/filled_message.ts';
 
 const codec = createCodec(new Map([
   ['pkg/msg/Spot', 'float32 x\nfloat64 y\nint32 n'],

@@ -7,8 +7,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { CommandError } from '../../../runtime/ros2cli/command.ts';
-import { filterOf } from '../../../runtime/ros2cli/filter_expression.ts';
+import { CommandError } from '../../../runtime/site/ros2cli/command.ts';
+import { filterOf } from '../../../runtime/site/ros2cli/filter_expression.ts';
 
 const kMessage = {
   data: 'Hello World: 12', count: 12, big: 2n ** 62n, on: true, empty: '', ranges: Float32Array.of(0.5, 2, Number.POSITIVE_INFINITY),

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { commands } from '../../../runtime/ros2cli/table.ts';
+import { commands } from '../../../runtime/site/ros2cli/table.ts';
 
 test('ros2_command.cpp knows those of two words', () => {
   const text = readFileSync(join(import.meta.dirname, '../../../bundler/launch/ros2_command.cpp'), 'utf8');

@@ -33,7 +33,7 @@ test('a folder of another language takes the place of the texts that it has', as
   const folder = join(mkdtempSync(join(tmpdir(), 'ros2wasm-texts-')), 'de');
   mkdirSync(folder);
   try {
-    const type = (path: string): string => JSON.stringify(join(kRoot, 'runtime/ui', path));
+    const type = (path: string): string => JSON.stringify(join(kRoot, 'runtime/site/ui', path));
     writeFileSync(join(folder, 'texts_embed.ts'), `import type { embedTexts as english } from ${type('texts_embed.ts')};
 import type { Translation } from ${type('translation.ts')};
 export const embedTexts: Translation<typeof english> = {
@@ -44,7 +44,7 @@ export const embedTexts: Translation<typeof english> = {
       const { outputFiles } = await build({
         stdin: {
           contents: "export { embedTexts } from './texts_embed.ts'; export { texts } from './texts.ts';",
-          resolveDir: join(kRoot, 'runtime/ui'),
+          resolveDir: join(kRoot, 'runtime/site/ui'),
         },
         bundle: true, write: false, format: 'esm', charset: 'utf8', plugins: plugins ?? [],
       });

@@ -13,7 +13,7 @@ from tests.tools.quick import changed_files, native_targets, python_tests, scrip
 
 class QuickTest(unittest.TestCase):
     def test_a_script_brings_the_tests_that_reach_it(self) -> None:
-        found = {Path(test).name for test in script_tests(["runtime/wasm_js/qos.ts"])}
+        found = {Path(test).name for test in script_tests(["runtime/site/contract/qos.ts"])}
         self.assertTrue(found)
         every = {file.name for file in (ROOT / "tests/unit").rglob("*.test.ts")}
         self.assertLess(found, every)

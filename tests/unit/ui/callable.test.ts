@@ -1,8 +1,8 @@
 // What the graph offers to be called.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { endpointsToCall } from '../../../runtime/ui/model/callable.ts';
-import type { GraphEndpointView, GraphView } from '../../../runtime/wasm_js/session.ts';
+import { endpointsToCall } from '../../../runtime/site/ui/model/callable.ts';
+import type { GraphEndpointView, GraphView } from '../../../runtime/site/contract/session.ts';
 
 const service = (name: string, type: string): GraphEndpointView => ({
   name, type, hash: '', gid: '',

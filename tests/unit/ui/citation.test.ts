@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
-import { bibtex } from '../../../runtime/ui/model/citation.ts';
+import { bibtex } from '../../../runtime/site/ui/model/citation.ts';
 import { FakeSession } from './fake_session.ts';
 
 const require = createRequire(import.meta.url);

@@ -1,18 +1,18 @@
 // Console text: escape sequences, log lines, rows, filters.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { ConsoleLine } from '../../../runtime/wasm_js/session.ts';
-import { parseAnsi, stripAnsi, styleClasses } from '../../../runtime/ui/model/ansi.ts';
+import type { ConsoleLine } from '../../../runtime/site/contract/session.ts';
+import { parseAnsi, stripAnsi, styleClasses } from '../../../runtime/site/ui/model/ansi.ts';
 import {
   displayLine,
   kMaxShown,
   parseLogParts,
   rowsOf,
-} from '../../../runtime/ui/model/log_line.ts';
-import { afterSnapshot } from '../../../runtime/ui/model/line_feed.ts';
-import { GrowingList } from '../../../runtime/ui/model/growing_list.ts';
-import { LineList } from '../../../runtime/ui/model/line_list.ts';
-import { RowMap } from '../../../runtime/ui/model/row_map.ts';
+} from '../../../runtime/site/ui/model/log_line.ts';
+import { afterSnapshot } from '../../../runtime/site/ui/model/line_feed.ts';
+import { GrowingList } from '../../../runtime/site/ui/model/growing_list.ts';
+import { LineList } from '../../../runtime/site/ui/model/line_list.ts';
+import { RowMap } from '../../../runtime/site/ui/model/row_map.ts';
 
 const line = (text: string, extra: Partial<ConsoleLine> = {}): ConsoleLine => ({
   time: 0,

@@ -1,7 +1,7 @@
 // Statuses of /diagnostics: the newest of each name, stale by the site's time; what is no status does no harm.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { countLevels, Diagnostics } from '../../../runtime/ui/model/diagnostics.ts';
+import { countLevels, Diagnostics } from '../../../runtime/site/ui/model/diagnostics.ts';
 
 const words = (board: Diagnostics, now: number): readonly string[] => board.rows(now).map(({ name, level, told }) => `${name} ${level} ${told}`);
 

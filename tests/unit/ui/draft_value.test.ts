@@ -1,8 +1,8 @@
 // A message being written: numbers as they are typed, `now`, and YAML put onto what a type begins with.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createCodec } from '../../../runtime/decode/codec.ts';
-import { draftBytes, onto, readNumber, refusal, stampOf, withNow } from '../../../runtime/ui/model/draft_value.ts';
+import { createCodec } from '../../../runtime/site/decode/codec.ts';
+import { draftBytes, onto, readNumber, refusal, stampOf, withNow } from '../../../runtime/site/ui/model/draft_value.ts';
 
 const codec = createCodec(new Map([
   ['demo/msg/Stamped', 'std_msgs/Header header\nfloat64 x\nint64 big\nbuiltin_interfaces/Time[] times\nint8[] list\n'],

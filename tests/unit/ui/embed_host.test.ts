@@ -2,9 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { progressText } from '../../../runtime/ui/model/progress.ts';
-import { hostEmbedding } from '../../../runtime/ui/parts/embed_host.ts';
-import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
+import { progressText } from '../../../runtime/site/ui/model/progress.ts';
+import { hostEmbedding } from '../../../runtime/site/ui/parts/embed_host.ts';
+import { SiteError } from '../../../runtime/site/contract/site_error.ts';
 import { eventually } from '../../support/eventually.ts';
 import { FakeSession, FakeTasks } from './fake_session.ts';
 import type { FakeOptions } from './fake_session.ts';

@@ -1,10 +1,10 @@
 // The page inside another one: what its address asks for, and the address of the whole page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { embeddedLayout, readEmbed, wholeAddress } from '../../../runtime/ui/model/embed_link.ts';
-import { tabsOf } from '../../../runtime/ui/model/layout.ts';
-import { parseLayout, writeLayout } from '../../../runtime/ui/model/layout_text.ts';
-import type { ReadLayout } from '../../../runtime/ui/model/layout_text.ts';
+import { embeddedLayout, readEmbed, wholeAddress } from '../../../runtime/site/ui/model/embed_link.ts';
+import { tabsOf } from '../../../runtime/site/ui/model/layout.ts';
+import { parseLayout, writeLayout } from '../../../runtime/site/ui/model/layout_text.ts';
+import type { ReadLayout } from '../../../runtime/site/ui/model/layout_text.ts';
 
 const known = (panel: string): boolean => ['nodes', 'console', 'plot', 'graph'].includes(panel);
 const nothing: ReadLayout = { layout: null, leftOut: [] };

@@ -3,8 +3,8 @@
 // when its origin is listed (R2W0750, R2W0751, R2W0752)
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Allowance, isReading, mayAct, readRequest, Refusal } from '../../../runtime/ui/model/embed_request.ts';
-import { readJson } from '../../../runtime/ui/model/json.ts';
+import { Allowance, isReading, mayAct, readRequest, Refusal } from '../../../runtime/site/ui/model/embed_request.ts';
+import { readJson } from '../../../runtime/site/ui/model/json.ts';
 
 const request = (order: object): unknown => ({ ros2wasm: 1, id: 1, ...order });
 

@@ -1,8 +1,8 @@
 // A Session for tests of the page: no worker runs, a test says what happens. Never part of a site.
 
-import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
-import { graphView } from '../../../runtime/wasm_js/graph_view.ts';
-import { PageParticipant } from '../../../runtime/wasm_js/page_participant.ts';
+import { PortBroker } from '../../../runtime/site/bus/broker.ts';
+import { graphView } from '../../../runtime/site/bus/graph_view.ts';
+import { PageParticipant } from '../../../runtime/site/page/page_participant.ts';
 import type {
   AddedNode,
   LaunchedNodes,
@@ -29,10 +29,10 @@ import type {
   TabView,
   TopicView,
   Unsubscribe,
-} from '../../../runtime/wasm_js/session.ts';
-import type { CheckView, SiteChecks } from '../../../runtime/wasm_js/site_checks.ts';
-import type { SiteTasks, TaskView } from '../../../runtime/wasm_js/site_tasks.ts';
-import { WrittenFiles } from '../../../runtime/wasm_js/written_files.ts';
+} from '../../../runtime/site/contract/session.ts';
+import type { CheckView, SiteChecks } from '../../../runtime/site/contract/site_checks.ts';
+import type { SiteTasks, TaskView } from '../../../runtime/site/contract/site_tasks.ts';
+import { WrittenFiles } from '../../../runtime/site/program/written_files.ts';
 
 /** Checks that a test decides. */
 export class FakeChecks implements SiteChecks {

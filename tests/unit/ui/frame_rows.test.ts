@@ -1,10 +1,10 @@
 // The tree of frames as rows: order, depth, what is wrong with it, rates; and that hostile trees end.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { frameRate, frameRows } from '../../../runtime/ui/model/frame_rows.ts';
-import { formatAge } from '../../../runtime/ui/model/quantities.ts';
-import { kIdentity } from '../../../runtime/ui/model/transform.ts';
-import { TransformTree } from '../../../runtime/ui/model/transform_tree.ts';
+import { frameRate, frameRows } from '../../../runtime/site/ui/model/frame_rows.ts';
+import { formatAge } from '../../../runtime/site/ui/model/quantities.ts';
+import { kIdentity } from '../../../runtime/site/ui/model/transform.ts';
+import { TransformTree } from '../../../runtime/site/ui/model/transform_tree.ts';
 
 function treeOf(...pairs: readonly (readonly [parent: string, child: string])[]): TransformTree {
   const tree = new TransformTree();

@@ -1,15 +1,15 @@
 // What the graph panel draws and where: hidden things, actions, groups, filters; and that small changes move nothing.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { GraphActionView, GraphEndpointView, GraphNodeView, GraphView } from '../../../runtime/wasm_js/session.ts';
-import { inColumns } from '../../../runtime/ui/model/graph_layout.ts';
-import type { Place, Sizes } from '../../../runtime/ui/model/graph_layout.ts';
-import { pictureOf, shortName } from '../../../runtime/ui/model/graph_picture.ts';
-import type { Picture, PictureOptions } from '../../../runtime/ui/model/graph_picture.ts';
-import { arrange } from '../../../runtime/ui/model/graph_places.ts';
-import type { Arrangement } from '../../../runtime/ui/model/graph_places.ts';
-import { arrowOf, nextOf, pathOf, readingOrder } from '../../../runtime/ui/model/graph_shapes.ts';
-import { fitted, showing, zoomed } from '../../../runtime/ui/model/camera.ts';
+import type { GraphActionView, GraphEndpointView, GraphNodeView, GraphView } from '../../../runtime/site/contract/session.ts';
+import { inColumns } from '../../../runtime/site/ui/model/graph_layout.ts';
+import type { Place, Sizes } from '../../../runtime/site/ui/model/graph_layout.ts';
+import { pictureOf, shortName } from '../../../runtime/site/ui/model/graph_picture.ts';
+import type { Picture, PictureOptions } from '../../../runtime/site/ui/model/graph_picture.ts';
+import { arrange } from '../../../runtime/site/ui/model/graph_places.ts';
+import type { Arrangement } from '../../../runtime/site/ui/model/graph_places.ts';
+import { arrowOf, nextOf, pathOf, readingOrder } from '../../../runtime/site/ui/model/graph_shapes.ts';
+import { fitted, showing, zoomed } from '../../../runtime/site/ui/model/camera.ts';
 
 const kQos = {
   reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,

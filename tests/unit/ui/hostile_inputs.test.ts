@@ -7,14 +7,14 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readRequest, Refusal } from '../../../runtime/ui/model/embed_request.ts';
-import { readHtml } from '../../../runtime/ui/model/html.ts';
-import type { HtmlNode } from '../../../runtime/ui/model/html.ts';
-import { readMarkdown } from '../../../runtime/ui/model/markdown.ts';
-import { readNotebook, writeNotebook } from '../../../runtime/ui/model/notebook.ts';
-import { readUrdf } from '../../../runtime/ui/model/urdf.ts';
-import { parseMesh } from '../../../runtime/ui/scene/mesh_parsers.ts';
-import { seededRandom } from '../../../runtime/wasm_js/seeded_random.ts';
+import { readRequest, Refusal } from '../../../runtime/site/ui/model/embed_request.ts';
+import { readHtml } from '../../../runtime/site/ui/model/html.ts';
+import type { HtmlNode } from '../../../runtime/site/ui/model/html.ts';
+import { readMarkdown } from '../../../runtime/site/ui/model/markdown.ts';
+import { readNotebook, writeNotebook } from '../../../runtime/site/ui/model/notebook.ts';
+import { readUrdf } from '../../../runtime/site/ui/model/urdf.ts';
+import { parseMesh } from '../../../runtime/site/ui/scene/mesh_parsers.ts';
+import { seededRandom } from '../../../runtime/site/contract/seeded_random.ts';
 import { asciiStl, binaryStl, gltf, gltfNumbers, obj } from '../../support/wedge_meshes.ts';
 
 const rounds = 400;

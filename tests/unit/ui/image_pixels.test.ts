@@ -1,10 +1,10 @@
 // Raw images as pixels: every encoding, rows with padding, and sizes that lie.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { pixelWords } from '../../../runtime/ui/model/image_encodings.ts';
-import type { RawImage } from '../../../runtime/ui/model/image_encodings.ts';
-import { pixelsOf, readRange } from '../../../runtime/ui/model/image_pixels.ts';
-import type { WantedRange } from '../../../runtime/ui/model/image_pixels.ts';
+import { pixelWords } from '../../../runtime/site/ui/model/image_encodings.ts';
+import type { RawImage } from '../../../runtime/site/ui/model/image_encodings.ts';
+import { pixelsOf, readRange } from '../../../runtime/site/ui/model/image_pixels.ts';
+import type { WantedRange } from '../../../runtime/site/ui/model/image_pixels.ts';
 
 function image(encoding: string, width: number, height: number, data: readonly number[] | Uint8Array, step?: number): RawImage {
   const bytes = Uint8Array.from(data);

@@ -1,7 +1,7 @@
 // The joints of a robot description that can be set, where they are at first, and those that mimic others.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { jointPositions, readJoints, readJointState } from '../../../runtime/ui/model/joints.ts';
+import { jointPositions, readJoints, readJointState } from '../../../runtime/site/ui/model/joints.ts';
 
 test('joints have their limits, zeros and those that they mimic', () => {
   const joints = readJoints(`<robot name="r">

@@ -18,11 +18,11 @@ import {
   tabsOf,
   wouldCover,
   zoneAt,
-} from '../../../runtime/ui/model/layout.ts';
-import type { Layout } from '../../../runtime/ui/model/layout.ts';
-import { parseLayout, readLayout, writeLayout } from '../../../runtime/ui/model/layout_text.ts';
-import { changedFragment, readFragment } from '../../../runtime/ui/model/link.ts';
-import { readJson } from '../../../runtime/ui/model/json.ts';
+} from '../../../runtime/site/ui/model/layout.ts';
+import type { Layout } from '../../../runtime/site/ui/model/layout.ts';
+import { parseLayout, readLayout, writeLayout } from '../../../runtime/site/ui/model/layout_text.ts';
+import { changedFragment, readFragment } from '../../../runtime/site/ui/model/link.ts';
+import { readJson } from '../../../runtime/site/ui/model/json.ts';
 
 const isKnown = (panel: string): boolean => ['nodes', 'console', 'topics', 'plot'].includes(panel);
 

@@ -2,9 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createCodec } from '../../../runtime/decode/codec.ts';
-import { LifecycleStore } from '../../../runtime/ui/parts/lifecycle_store.ts';
-import type { GraphView, Session } from '../../../runtime/wasm_js/session.ts';
+import { createCodec } from '../../../runtime/site/decode/codec.ts';
+import { LifecycleStore } from '../../../runtime/site/ui/parts/lifecycle_store.ts';
+import type { GraphView, Session } from '../../../runtime/site/contract/session.ts';
 
 const codec = createCodec(new Map([
   ['lifecycle_msgs/msg/State', 'uint8 id\nstring label\n'],

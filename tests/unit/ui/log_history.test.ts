@@ -2,8 +2,8 @@
 // is the same line. It holds its newest lines.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { type LogEntry, LogHistory } from '../../../runtime/ui/model/log_history.ts';
-import type { ConsoleLine } from '../../../runtime/wasm_js/session.ts';
+import { type LogEntry, LogHistory } from '../../../runtime/site/ui/model/log_history.ts';
+import type { ConsoleLine } from '../../../runtime/site/contract/session.ts';
 
 const said = (time: number, text: string, level?: ConsoleLine['level']): ConsoleLine =>
   ({ time, stream: 'stderr', text, ...(level === undefined ? {} : { level }) });

@@ -1,8 +1,8 @@
 // Markdown as tokens, paths of its images, and links that act.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { headingId, readMarkdown, sitePath } from '../../../runtime/ui/model/markdown.ts';
-import { isPageAction, readPageAction } from '../../../runtime/ui/model/page_action.ts';
+import { headingId, readMarkdown, sitePath } from '../../../runtime/site/ui/model/markdown.ts';
+import { isPageAction, readPageAction } from '../../../runtime/site/ui/model/page_action.ts';
 
 const kinds = (text: string): unknown =>
   readMarkdown(text)?.flatMap((token) =>

@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Box3, Color } from 'three';
-import { besidePath, meshKindOf, sitePathOf } from '../../../runtime/ui/model/mesh_file.ts';
-import { MeshShelf } from '../../../runtime/ui/scene/mesh_shelf.ts';
-import type { MeshWish, PlacedMesh } from '../../../runtime/ui/scene/mesh_shelf.ts';
-import { RobotModel } from '../../../runtime/ui/scene/robot_model.ts';
+import { besidePath, meshKindOf, sitePathOf } from '../../../runtime/site/ui/model/mesh_file.ts';
+import { MeshShelf } from '../../../runtime/site/ui/scene/mesh_shelf.ts';
+import type { MeshWish, PlacedMesh } from '../../../runtime/site/ui/scene/mesh_shelf.ts';
+import { RobotModel } from '../../../runtime/site/ui/scene/robot_model.ts';
 import { asciiStl, binaryStl, gltf, gltfNumbers, kMaterials, kWedgeTriangles, obj } from '../../support/wedge_meshes.ts';
 
 test('names of meshes lead to files of the site, and nowhere else', () => {

@@ -1,7 +1,7 @@
 // The last error of a node in one file, from what it printed.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { nodeTrouble } from '../../../runtime/ui/model/node_trouble.ts';
+import { nodeTrouble } from '../../../runtime/site/ui/model/node_trouble.ts';
 
 const path = 'lib/lab_py/talk.py';
 const frame = (line: number, file = path): string => `  File "/ros/${file}", line ${line}, in main`;

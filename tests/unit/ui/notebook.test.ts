@@ -1,12 +1,12 @@
 // Notebooks as the page reads and writes them, what events make of outputs, and HTML that means harm.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { noOutputs, withEvent } from '../../../runtime/ui/model/cell_outputs.ts';
-import { readHtml } from '../../../runtime/ui/model/html.ts';
-import type { HtmlNode } from '../../../runtime/ui/model/html.ts';
-import { newCell, readNotebook, writeNotebook } from '../../../runtime/ui/model/notebook.ts';
-import type { Notebook } from '../../../runtime/ui/model/notebook.ts';
-import { readEvent } from '../../../runtime/wasm_js/notebook_kernel.ts';
+import { noOutputs, withEvent } from '../../../runtime/site/ui/model/cell_outputs.ts';
+import { readHtml } from '../../../runtime/site/ui/model/html.ts';
+import type { HtmlNode } from '../../../runtime/site/ui/model/html.ts';
+import { newCell, readNotebook, writeNotebook } from '../../../runtime/site/ui/model/notebook.ts';
+import type { Notebook } from '../../../runtime/site/ui/model/notebook.ts';
+import { readEvent } from '../../../runtime/site/session/notebook_kernel.ts';
 import { nbformatFaults } from '../../support/nbformat_rules.ts';
 
 const file = {

@@ -1,8 +1,8 @@
 // The files that terminals of a page write: their limits, and the room that comes back.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { kMostTextBytes, mayWrite, OwnFiles } from '../../../runtime/ui/shell/own_files.ts';
-import { kHome } from '../../../runtime/ui/shell/paths.ts';
+import { kMostTextBytes, mayWrite, OwnFiles } from '../../../runtime/site/ui/shell/own_files.ts';
+import { kHome } from '../../../runtime/site/ui/shell/paths.ts';
 
 test('files have a limit each and all together, and one that is removed makes room', () => {
   const files = new OwnFiles();

@@ -1,9 +1,9 @@
 // Values of parameters as texts and back: types, limits of 64 bits, lists, and ranges that a slider can have.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readYaml } from '../../../runtime/decode/read_yaml.ts';
-import { needsYaml, parameterText, rangeText, readParameter, sliderRange } from '../../../runtime/ui/model/parameter_text.ts';
-import { readPageAction } from '../../../runtime/ui/model/page_action.ts';
+import { readYaml } from '../../../runtime/site/decode/read_yaml.ts';
+import { needsYaml, parameterText, rangeText, readParameter, sliderRange } from '../../../runtime/site/ui/model/parameter_text.ts';
+import { readPageAction } from '../../../runtime/site/ui/model/page_action.ts';
 
 const read = (text: string, type: number): unknown => {
   const result = readParameter(text, type, readYaml);

@@ -6,7 +6,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
-import { type ChangedFile, makePatch } from '../../../runtime/ui/model/patch.ts';
+import { type ChangedFile, makePatch } from '../../../runtime/site/ui/model/patch.ts';
 
 const tools: readonly (readonly string[])[] = [['git', 'apply', '--whitespace=nowarn', '-'], ['patch', '-p1', '--binary', '--posix'], ['patch', '-p1', '--binary']];
 

@@ -1,11 +1,11 @@
 // Field paths, samples, states and drawings: what the plot and the timeline are made of.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { asNumber, asState, parseFieldPath, pathsOf, valueAt } from '../../../runtime/ui/model/field_path.ts';
-import { extentOf, plotSvg, ticks } from '../../../runtime/ui/model/plot_svg.ts';
-import { Samples, aligned, toCsv } from '../../../runtime/ui/model/samples.ts';
-import { StateTrack } from '../../../runtime/ui/model/state_track.ts';
-import { createTypes } from '../../../runtime/decode/types.ts';
+import { asNumber, asState, parseFieldPath, pathsOf, valueAt } from '../../../runtime/site/ui/model/field_path.ts';
+import { extentOf, plotSvg, ticks } from '../../../runtime/site/ui/model/plot_svg.ts';
+import { Samples, aligned, toCsv } from '../../../runtime/site/ui/model/samples.ts';
+import { StateTrack } from '../../../runtime/site/ui/model/state_track.ts';
+import { createTypes } from '../../../runtime/site/decode/types.ts';
 
 test('paths are read strictly', () => {
   assert.deepEqual(parseFieldPath(' /a/b.c[12].d_2 '), { topic: '/a/b', steps: ['c', 12, 'd_2'] });

@@ -1,8 +1,8 @@
 // What part of a plot is seen, and from which sample to which the keys go.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { momentBeside, momentNear, movedExtent, pairsWith, zoomedExtent } from '../../../runtime/ui/model/plot_view.ts';
-import { Samples } from '../../../runtime/ui/model/samples.ts';
+import { momentBeside, momentNear, movedExtent, pairsWith, zoomedExtent } from '../../../runtime/site/ui/model/plot_view.ts';
+import { Samples } from '../../../runtime/site/ui/model/samples.ts';
 
 function series(...times: readonly number[]) {
   const samples = new Samples(16);

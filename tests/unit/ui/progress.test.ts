@@ -1,9 +1,9 @@
 // The progress that a browser stores: read as hostile, merged from two tabs, and written by the desk of a session.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { merged, progressText, readProgress } from '../../../runtime/ui/model/progress.ts';
-import { TaskDesk } from '../../../runtime/ui/parts/task_desk.ts';
-import type { TaskView } from '../../../runtime/wasm_js/site_tasks.ts';
+import { merged, progressText, readProgress } from '../../../runtime/site/ui/model/progress.ts';
+import { TaskDesk } from '../../../runtime/site/ui/parts/task_desk.ts';
+import type { TaskView } from '../../../runtime/site/contract/site_tasks.ts';
 import { FakeSession, FakeTasks } from './fake_session.ts';
 
 const kAt = '2026-11-28T09:00:00.000Z';

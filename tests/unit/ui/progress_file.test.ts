@@ -1,8 +1,8 @@
 // The file that a student hands in: what is in it, and that its signature fits what `ros2wasm grade` checks.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { fileName, fileText, recordText, signedBytes, studentName } from '../../../runtime/ui/model/progress_file.ts';
-import { browserKey } from '../../../runtime/ui/parts/browser_key.ts';
+import { fileName, fileText, recordText, signedBytes, studentName } from '../../../runtime/site/ui/model/progress_file.ts';
+import { browserKey } from '../../../runtime/site/ui/parts/browser_key.ts';
 
 const kAt = '2026-11-28T09:00:00.000Z';
 

@@ -1,7 +1,7 @@
 // A scene is drawn coarser while its pictures take too long, and finer again.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Resolution } from '../../../runtime/ui/scene/resolution.ts';
+import { Resolution } from '../../../runtime/site/ui/scene/resolution.ts';
 
 test('the resolution drops with dear pictures, has an end, and comes back with cheap ones', () => {
   const resolution = new Resolution();

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { kDrawn, readRviz } from '../../../runtime/ui/model/rviz_config.ts';
+import { kDrawn, readRviz } from '../../../runtime/site/ui/model/rviz_config.ts';
 
 const kFile = `
 Panels:

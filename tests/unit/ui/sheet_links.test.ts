@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { readPageAction } from '../../../runtime/ui/model/page_action.ts';
-import { texts } from '../../../runtime/ui/texts.ts';
+import { readPageAction } from '../../../runtime/site/ui/model/page_action.ts';
+import { texts } from '../../../runtime/site/ui/texts.ts';
 
 const kRoot = join(import.meta.dirname, '../../..');
 

@@ -1,12 +1,12 @@
 // The shell of a terminal, as lab sheets use it: folders and files, variables, pipes, and what stands for other tools.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Sources } from '../../../runtime/wasm_js/session.ts';
-import { changedFolder } from '../../../runtime/ui/shell/file_words.ts';
-import { FileTree } from '../../../runtime/ui/shell/file_tree.ts';
-import { resolvePath, shortPath, workspacePath } from '../../../runtime/ui/shell/paths.ts';
-import { Shell } from '../../../runtime/ui/shell/shell.ts';
-import { transformLines } from '../../../runtime/ui/shell/tf_echo.ts';
+import type { Sources } from '../../../runtime/site/contract/session.ts';
+import { changedFolder } from '../../../runtime/site/ui/shell/file_words.ts';
+import { FileTree } from '../../../runtime/site/ui/shell/file_tree.ts';
+import { resolvePath, shortPath, workspacePath } from '../../../runtime/site/ui/shell/paths.ts';
+import { Shell } from '../../../runtime/site/ui/shell/shell.ts';
+import { transformLines } from '../../../runtime/site/ui/shell/tf_echo.ts';
 import { FakeSession } from './fake_session.ts';
 
 const kSources: ReadonlyMap<string, string> = new Map([

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { desktopPanel, needless } from '../../../runtime/ui/model/desktop_programs.ts';
-import { shellSteps } from '../../../runtime/ui/model/shell_line.ts';
-import { readGrep } from '../../../runtime/ui/shell/grep.ts';
+import { desktopPanel, needless } from '../../../runtime/site/ui/model/desktop_programs.ts';
+import { shellSteps } from '../../../runtime/site/ui/model/shell_line.ts';
+import { readGrep } from '../../../runtime/site/ui/shell/grep.ts';
 
 test('a line is a sequence of commands with filters and a file; quotes hide what joins them', () => {
   assert.deepEqual(shellSteps('a 1 && b | grep x | grep -v "y | z" > f; c || d \\; # ; e'), [

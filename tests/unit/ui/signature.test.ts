@@ -1,7 +1,7 @@
 // What the page reads of a signature beside a site, and what it takes for none.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { claimedSignature } from '../../../runtime/ui/model/signature.ts';
+import { claimedSignature } from '../../../runtime/site/ui/model/signature.ts';
 
 function signature(id: readonly number[], comment: string, kind = 'ED'): string {
   const bytes = String.fromCharCode(...Buffer.from(kind), ...id) + 's'.repeat(64);

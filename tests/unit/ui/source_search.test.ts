@@ -1,7 +1,7 @@
 // Lines of all sources that have a text.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { searchSources } from '../../../runtime/ui/model/source_search.ts';
+import { searchSources } from '../../../runtime/site/ui/model/source_search.ts';
 
 const files = [
   { file: 'a.py', text: 'import rclpy\r\n  node = rclpy.create_node("Robot")\n' },

@@ -1,7 +1,7 @@
 // The Tab key in the terminal.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { completeInput, expandTabs, readHistory } from '../../../runtime/ui/model/terminal_input.ts';
+import { completeInput, expandTabs, readHistory } from '../../../runtime/site/ui/model/terminal_input.ts';
 
 test('one choice is taken, several as far as they agree, then they are shown', () => {
   assert.deepEqual(completeInput('ros2 to', { word: 'to', start: 5, choices: ['topic'] }), { kind: 'line', line: 'ros2 topic ' });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { keyText } from '../../../runtime/ui/model/terminal_keys.ts';
+import { keyText } from '../../../runtime/site/ui/model/terminal_keys.ts';
 
 const plain = { ctrlKey: false, altKey: false, metaKey: false };
 

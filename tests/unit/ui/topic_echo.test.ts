@@ -1,13 +1,13 @@
 // What an opened topic works with: pairs of QoS that do not fit, what differs between messages, a message as a command.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createCodec } from '../../../runtime/decode/codec.ts';
-import { readMessage } from '../../../runtime/decode/read_yaml.ts';
-import { splitLine } from '../../../runtime/ros2cli/parse.ts';
-import { partOf, sameValue } from '../../../runtime/ui/model/message_change.ts';
-import { pubCommand } from '../../../runtime/ui/model/pub_command.ts';
-import { misfitsOf, topicEndsOf } from '../../../runtime/ui/model/topic_qos.ts';
-import type { EndpointQosView, GraphEndpointView, GraphNodeView } from '../../../runtime/wasm_js/session.ts';
+import { createCodec } from '../../../runtime/site/decode/codec.ts';
+import { readMessage } from '../../../runtime/site/decode/read_yaml.ts';
+import { splitLine } from '../../../runtime/site/ros2cli/parse.ts';
+import { partOf, sameValue } from '../../../runtime/site/ui/model/message_change.ts';
+import { pubCommand } from '../../../runtime/site/ui/model/pub_command.ts';
+import { misfitsOf, topicEndsOf } from '../../../runtime/site/ui/model/topic_qos.ts';
+import type { EndpointQosView, GraphEndpointView, GraphNodeView } from '../../../runtime/site/contract/session.ts';
 
 const kUsual: EndpointQosView = {
   reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,

@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
   compose, fromRollPitchYaw, inverse, kIdentity, readPose, readQuaternion, rotate, toRollPitchYaw,
-} from '../../../runtime/ui/model/transform.ts';
-import type { Transform, Vector } from '../../../runtime/ui/model/transform.ts';
-import { TransformTree } from '../../../runtime/ui/model/transform_tree.ts';
+} from '../../../runtime/site/ui/model/transform.ts';
+import type { Transform, Vector } from '../../../runtime/site/ui/model/transform.ts';
+import { TransformTree } from '../../../runtime/site/ui/model/transform_tree.ts';
 
 const quarter = fromRollPitchYaw(0, 0, Math.PI / 2);
 const by = (x: number, y = 0, z = 0, rotation = kIdentity.rotation): Transform => ({ translation: [x, y, z], rotation });

@@ -1,8 +1,8 @@
 // What a turtle simulator shows: scenes that begin in the middle of a drawing, pictures, and messages that are wrong.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readPicture, readScene, Sheet } from '../../../runtime/ui/model/turtle_scene.ts';
-import type { Picture, Scene } from '../../../runtime/ui/model/turtle_scene.ts';
+import { readPicture, readScene, Sheet } from '../../../runtime/site/ui/model/turtle_scene.ts';
+import type { Picture, Scene } from '../../../runtime/site/ui/model/turtle_scene.ts';
 
 const kTurtle = { name: 'turtle1', x: 1, y: 2, theta: 0.5, shape: 3, pen: [1, 2, 3], pen_width: 3, pen_on: true };
 

@@ -1,8 +1,8 @@
 // Driving by hand: what keys, a round pad and a gamepad mean, the messages, and whom the graph offers to be driven.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { driveTopics, isRest, keyStick, kRest, padStick, pointStick, sumOf, twistOf } from '../../../runtime/ui/model/twist.ts';
-import type { GraphEndpointView, GraphNodeView } from '../../../runtime/wasm_js/session.ts';
+import { driveTopics, isRest, keyStick, kRest, padStick, pointStick, sumOf, twistOf } from '../../../runtime/site/ui/model/twist.ts';
+import type { GraphEndpointView, GraphNodeView } from '../../../runtime/site/contract/session.ts';
 
 test('what is held is added up, within the maximum', () => {
   assert.deepEqual(sumOf([keyStick('KeyW'), keyStick('ArrowUp'), keyStick('ArrowRight')].map((stick) => stick ?? kRest)), { ahead: 1, turn: -1 });

@@ -1,8 +1,8 @@
 // Robot descriptions: what is seen of their links, and texts that are none.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readUrdf } from '../../../runtime/ui/model/urdf.ts';
-import { readXml } from '../../../runtime/ui/model/xml.ts';
+import { readUrdf } from '../../../runtime/site/ui/model/urdf.ts';
+import { readXml } from '../../../runtime/site/ui/model/xml.ts';
 
 test('elements, attributes and entities are read; comments, words and declarations are left out', () => {
   const root = readXml(`<?xml version="1.0"?><!DOCTYPE robot><!-- <a> -->

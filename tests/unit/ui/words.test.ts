@@ -1,21 +1,21 @@
 // Quantities, hidden names, problems and preferences: small pure parts of the page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isHiddenTopic } from '../../../runtime/ui/model/hidden_names.ts';
-import { problemOf, problemText } from '../../../runtime/ui/model/problem.ts';
+import { isHiddenTopic } from '../../../runtime/site/ui/model/hidden_names.ts';
+import { problemOf, problemText } from '../../../runtime/site/ui/model/problem.ts';
 import {
   readText,
   readPreference,
   readTheme,
   writePreference,
-} from '../../../runtime/ui/model/preferences.ts';
+} from '../../../runtime/site/ui/model/preferences.ts';
 import {
   formatBandwidth,
   formatBytes,
   formatCount,
   formatDuration,
   formatRate,
-} from '../../../runtime/ui/model/quantities.ts';
+} from '../../../runtime/site/ui/model/quantities.ts';
 
 test('rates, bandwidths, sizes and durations', () => {
   assert.equal(formatRate(0), '\u2013');

@@ -138,7 +138,7 @@ TEST(StoreNames, AreThoseThatPackGives) {
 
 TEST(SitePolicy, IsThatOfThePage) {
   const testing::TemporaryTree tree;
-  std::ifstream stream(fs::path(ROS2WASM_SOURCE_DIR) / "runtime/ui/index.html");
+  std::ifstream stream(fs::path(ROS2WASM_SOURCE_DIR) / "runtime/site/ui/index.html");
   const std::string page{std::istreambuf_iterator<char>(stream), {}};
   EXPECT_NE(page.find("content=\"" + std::string(site_policy()) + "\""), std::string::npos);
   EXPECT_TRUE(site_policy().starts_with("default-src 'none'; script-src 'self'"));

@@ -27,7 +27,7 @@ def found(name):
 public = [name for name in sys.stdlib_module_names if not name.startswith('_') or name == '__future__']
 json.dumps([sorted(filter(found, public)), sorted(name for name in public if not found(name))])
 `) as string) as [string[], string[]];
-  // Not of Pyodide, but of every site: runtime/rclpy/ros2wasm/terminal.py.
+  // Not of Pyodide, but of every site: runtime/packages/client/rclpy/ros2wasm/terminal.py.
   const ours = ['__main__', 'termios'];
   assert.deepEqual(table('kModules').filter((name) => !ours.includes(name)), names[0]);
   const lacking = table('kLacking');

@@ -33,7 +33,7 @@ class Scratch(unittest.TestCase):
         self.root = Path(holder.name)
 
     def add(self, place: str, text: str) -> Path:
-        folder = self.root / "runtime" / place
+        folder = self.root / "packages" / "tools" / place
         folder.mkdir(parents=True)
         (folder / "package.xml").write_text(text, encoding="utf-8")
         return folder
@@ -41,7 +41,7 @@ class Scratch(unittest.TestCase):
     def keys(self) -> dict[str, str]:
         for name in ("recipe", "toolchain"):
             (self.root / name).mkdir(exist_ok=True)
-        packages = find_packages(self.root / "runtime")
+        packages = find_packages(self.root / "packages")
         return package_keys(packages, COMPILER, self.root / "recipe", self.root / "toolchain")
 
 
@@ -49,9 +49,9 @@ class FindPackages(Scratch):
 
     def test_needed_packages_come_first_and_others_are_ignored(self) -> None:
         self.add("a", package_xml("a", "b", "ament_cmake"))
-        self.add("interfaces/b", package_xml("b", "c", tag="exec_depend"))
-        self.add("interfaces/c", package_xml("c"))
-        found = find_packages(self.root / "runtime")
+        self.add("../interfaces/b", package_xml("b", "c", tag="exec_depend"))
+        self.add("../interfaces/c", package_xml("c"))
+        found = find_packages(self.root / "packages")
         self.assertEqual(list(found), ["c", "b", "a"])
         self.assertEqual(found["a"].use_needs, ("b",))
         self.assertEqual(found["b"].description, "Two words")
@@ -60,19 +60,19 @@ class FindPackages(Scratch):
         said = self.root / "zones"
         text = package_xml("a").replace("</package>", f"<export><version_file>{said}</version_file></export></package>")
         self.add("a", text)
-        self.assertEqual(find_packages(self.root / "runtime")["a"].version, "1.2.3")
+        self.assertEqual(find_packages(self.root / "packages")["a"].version, "1.2.3")
         said.write_text("# version 2026b\n# version 1\n", encoding="utf-8")
-        self.assertEqual(find_packages(self.root / "runtime")["a"].version, "2026b")
+        self.assertEqual(find_packages(self.root / "packages")["a"].version, "2026b")
         said.write_text("# zones\n# version 1\n", encoding="utf-8")
         with self.assertRaisesRegex(ValueError, "says no version"):
-            find_packages(self.root / "runtime")
+            find_packages(self.root / "packages")
 
     def test_what_most_waits_for_is_built_first(self) -> None:
         self.add("a", package_xml("a"))
         self.add("z", package_xml("z"))
         (self.add("m", package_xml("m", "z")) / "large.cpp").write_text("//" * 5000)
         (self.add("n", package_xml("n")) / "middle.cpp").write_text("//" * 2000)
-        self.assertEqual(longest_first(find_packages(self.root / "runtime")), ["z", "m", "n", "a"])
+        self.assertEqual(longest_first(find_packages(self.root / "packages")), ["z", "m", "n", "a"])
 
     def test_a_workspace_needs_what_its_packages_name_and_what_these_need(self) -> None:
         for name, *needs in (("base",), ("client", "base"), ("tools", "client"), ("messages", "base"), ("other",)):
@@ -80,20 +80,20 @@ class FindPackages(Scratch):
         source = self.root / "workspace/src/mine"
         source.mkdir(parents=True)
         (source / "package.xml").write_text(package_xml("mine", "client", "not_ours"), encoding="utf-8")
-        needed = needed_by(self.root / "workspace", find_packages(self.root / "runtime"))
+        needed = needed_by(self.root / "workspace", find_packages(self.root / "packages"))
         self.assertEqual(list(needed), ["base", "client"])
 
     def test_a_circle_is_named(self) -> None:
         self.add("a", package_xml("a", "b"))
         self.add("b", package_xml("b", "a"))
         with self.assertRaisesRegex(ValueError, "a -> b -> a"):
-            find_packages(self.root / "runtime")
+            find_packages(self.root / "packages")
 
     def test_a_name_twice_is_refused(self) -> None:
         self.add("a", package_xml("same"))
         self.add("b", package_xml("same"))
         with self.assertRaisesRegex(ValueError, "same name"):
-            find_packages(self.root / "runtime")
+            find_packages(self.root / "packages")
 
 
 class Keys(Scratch):
@@ -175,7 +175,7 @@ class Repository(unittest.TestCase):
     def test_versions_are_those_of_the_table(self) -> None:
         table = json.loads((ROOT / "runtime" / "versions.json").read_text(encoding="utf-8"))["packages"]
         own = (ROOT / "VERSION").read_text(encoding="utf-8").split()[0]
-        for name, package in find_packages(ROOT / "runtime").items():
+        for name, package in find_packages(ROOT / "runtime" / "packages").items():
             with self.subTest(name):
                 # A package of ROS has the version of ROS, whosever files are in it.
                 if name in table or not package.host_folders:

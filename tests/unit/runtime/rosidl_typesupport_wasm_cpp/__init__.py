@@ -4,6 +4,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[4]
 DEBIAN_PACKAGES = "/usr/lib/python3/dist-packages"
-for _path in (str(ROOT / "runtime" / "rosidl_typesupport_wasm_cpp" / "generator"), DEBIAN_PACKAGES):
+for _path in (str(ROOT / "runtime/packages/client/rosidl_typesupport_wasm_cpp/generator"), DEBIAN_PACKAGES):
     if _path not in sys.path:
         sys.path.append(_path)

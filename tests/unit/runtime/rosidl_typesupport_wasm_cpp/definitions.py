@@ -34,6 +34,6 @@ def shipped(*types: str) -> td.TypeTable:
     for type_name in types:
         package, kind, name = type_name.split("/")
         relative = f"{kind}/{name}.{kind}"
-        text = (ROOT / "runtime" / "interfaces" / package / relative).read_text(encoding="utf-8")
+        text = (ROOT / "runtime" / "packages" / "interfaces" / package / relative).read_text(encoding="utf-8")
         table.add(described(package, relative, text).descriptions)
     return table

@@ -1,9 +1,0 @@
-// Runs a site without a browser: node headless.js SITE ...; its words and exit codes: wasm_js/headless_run.ts.
-
-import { isMainThread } from 'node:worker_threads';
-import { runMain } from '../wasm_js/headless_run.ts';
-import { serveHeadlessWorker } from '../wasm_js/headless_session.ts';
-import { shellCommands } from './shell_commands.ts';
-
-if (isMainThread) await runMain(new URL(import.meta.url), shellCommands(true));
-else serveHeadlessWorker();

@@ -1,0 +1,17 @@
+// Modules that a page carries have no addresses relative to each other: what they import by `./NAME.js` is named anew.
+// Reads what esbuild writes; tests/unit/site/module_links.test.ts holds it against a parser of JavaScript.
+
+const always = /\b(from|import)\s*(["'])\.\/([\w.-]+\.js)\2/g;
+const later = /\bimport\(\s*(["'])\.\/([\w.-]+\.js)\1\s*\)/g;
+
+/** Names of the files that the module needs before it runs. */
+export function neededModules(text: string): string[] {
+  return [...new Set(Array.from(text.matchAll(always), ([, , , name]) => name ?? ''))];
+}
+
+/** `addresses`: of those; a module that is imported later is asked for by `importer("NAME.js")`. */
+export function linkedModule(text: string, addresses: ReadonlyMap<string, string>, importer: string): string {
+  return text
+    .replace(always, (_, word: string, _quote, name: string) => `${word}${JSON.stringify(addresses.get(name))}`)
+    .replace(later, (_, _quote, name: string) => `${importer}(${JSON.stringify(name)})`);
+}

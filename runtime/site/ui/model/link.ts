@@ -1,0 +1,58 @@
+// What a link to a view carries behind its "#": `site=HASH&layout=JSON`, and where they are not as they were made,
+// `params=JSON` and `autorun=0`. The hash is the beginning of the sha256 of site.json, which names every file of the site
+// with its own: a link tells when it was made for another site. Fields of others are kept as they are.
+
+import { fetchOfSite } from '../../program/carried_files.ts';
+
+const kHashLength = 16;
+const kMostFragment = 131_072;
+
+/** The fields of a fragment, with or without its "#". Never throws; an overlong one has none. */
+export function readFragment(fragment: string): URLSearchParams {
+  const text = fragment.replace(/^#/, '');
+  return new URLSearchParams(text.length > kMostFragment ? '' : text);
+}
+
+/** The fragment with these fields set, or removed where null; empty when none is left. */
+export function changedFragment(
+  fragment: string,
+  fields: Readonly<Record<string, string | null>>,
+): string {
+  const params = readFragment(fragment);
+  for (const [name, value] of Object.entries(fields)) {
+    if (value === null) params.delete(name);
+    else params.set(name, value);
+  }
+  const text = params.toString();
+  return text === '' ? '' : `#${text}`;
+}
+
+/** As links carry it. */
+export async function siteHash(): Promise<string | null> {
+  return (await siteDigest())?.slice(0, kHashLength) ?? null;
+}
+
+/** sha256 of the site; null where site.json does not come. */
+export async function siteDigest(): Promise<string | null> {
+  try {
+    const response = await fetchOfSite('site.json');
+    if (!response.ok) return null;
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    // The browser has digests of its own on https:// and localhost only.
+    if ((crypto.subtle as SubtleCrypto | undefined) === undefined) {
+      const { RunningSha256 } = await import('../../contract/running_sha256.ts');
+      const sum = new RunningSha256();
+      sum.add(bytes);
+      return sum.hex();
+    }
+    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+    return Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
+  } catch {
+    return null;
+  }
+}
+
+/** Whether nodes start by themselves, for a link: null where they do what the manifest says. */
+export function autorunField(running: boolean, usual: boolean): string | null {
+  return running === usual ? null : running ? '1' : '0';
+}

@@ -1,0 +1,242 @@
+// A scene on a canvas for as long as a component stands: fed from the session's topics, turned by its visitor.
+
+import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
+import { fetchOfSite } from '../../program/carried_files.ts';
+import type { PageTimer, Session } from '../../contract/session.ts';
+import type { Codec } from '../../decode/codec.ts';
+import { kUsualView, writeView } from '../model/camera_view.ts';
+import type { CameraView } from '../model/camera_view.ts';
+import { kPlainLook } from '../model/display_look.ts';
+import type { SceneOptions } from '../model/scene_options.ts';
+import { TransformTree } from '../model/transform_tree.ts';
+import { followTransforms } from '../parts/follow_transforms.ts';
+import { feed } from '../parts/message_feed.ts';
+import { useTheme } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
+import { controlCamera } from './camera_control.ts';
+import type { GroundPose } from './camera_control.ts';
+import { kOdometry, makeDisplay, updatesOf } from './kinds.ts';
+import type { DisplayContext } from './display.ts';
+import { MeshShelf } from './mesh_shelf.ts';
+import type { Picked } from './pick.ts';
+import { SceneView } from './scene_view.ts';
+import { Stage } from './stage.ts';
+
+export interface ShownTopic {
+  readonly name: string;
+  readonly type: string;
+}
+
+export interface SceneUse {
+  readonly session: Session;
+  readonly codec: Codec | string | null;
+  readonly options: SceneOptions;
+  readonly shown: readonly ShownTopic[];
+  /** What the tool in hand sets; null: none is. */
+  readonly aims: 'pose' | 'point' | null;
+  readonly onView: (view: CameraView) => void;
+  readonly onPose: (pose: GroundPose, frame: string) => void;
+  /** null: nothing was there. */
+  readonly onPick: (picked: Picked | null, frame: string) => void;
+  readonly onLeaveTool: () => void;
+}
+
+export interface Scene {
+  readonly canvas: { current: HTMLCanvasElement | null };
+  /** Lies over it. */
+  readonly veil: { current: HTMLCanvasElement | null };
+  readonly view: SceneView | null;
+  readonly tree: TransformTree;
+  /** Why nothing can be drawn; empty: it can. */
+  readonly problem: string;
+  /** Forgets all frames and messages. */
+  readonly forget: () => void;
+  /** Why a topic cannot be shown. */
+  readonly unreadable: ReadonlyMap<string, string>;
+  /** The newest message of a topic that is shown; undefined: none has come. */
+  readonly newest: (topic: string) => unknown;
+}
+
+const kWordsMs = 250;
+
+export function useScene(use: SceneUse): Scene {
+  const { session, codec, options, shown } = use;
+  const latest = useRef(use);
+  latest.current = use;
+  const theme = useTheme();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const veil = useRef<HTMLCanvasElement>(null);
+  const [tree] = useState(() => new TransformTree());
+  const [unreadable] = useState(() => new Map<string, string>());
+  const [view, setView] = useState<SceneView | null>(null);
+  const [problem, setProblem] = useState('');
+  const [era, begin] = useReducer<number, void>((n) => n + 1, 0);
+  const settled = useRef('');
+  /** By type and name: ends what shows the topic. */
+  const followed = useRef(new Map<string, () => void>());
+  const newest = useRef(new Map<string, unknown>());
+  const [, tell] = useReducer<number, void>((n) => n + 1, 0);
+
+  useEffect(() => {
+    const element = canvas.current;
+    if (element === null || veil.current === null) return undefined;
+    let scene: SceneView | null = null;
+    let alarm: PageTimer | undefined;
+    const stage = Stage.open(element, veil.current, latest.current.options.view, () => scene?.arrange());
+    if (stage === null) {
+      setProblem(panelTexts.scene.noWebGl);
+      return undefined;
+    }
+    const made = new SceneView(stage, tree, latest.current.options.view, {
+      now: () => session.time.view().now / 1000,
+      wake(at) {
+        alarm?.close();
+        const inMs = at * 1000 - session.time.view().now;
+        alarm = session.node().timer(Math.max(10, Math.min(inMs, 1e9)), () => {
+          alarm?.close();
+          alarm = undefined;
+          made.messageTaken();
+        });
+      },
+    });
+    scene = made;
+    setView(made);
+    const stop = controlCamera(element, {
+      view: () => made.view,
+      look: (next) => made.look(next),
+      settle: () => {
+        settled.current = keyOf(made.view);
+        latest.current.onView(made.view);
+      },
+      home: () => made.look({ ...kUsualView, top: made.view.top }),
+      aims: () => latest.current.aims,
+      groundAt: (x, y) => stage.groundAt(x, y),
+      aim: (pose) => made.aim(pose),
+      setPose: (pose) => latest.current.onPose(pose, made.fixedFrame),
+      setPoint: (x, y) => latest.current.onPick(made.pick(x, y), made.fixedFrame),
+      leaveTool: () => latest.current.onLeaveTool(),
+    });
+    const lost = (): void => setProblem(panelTexts.scene.lost);
+    const back = (): void => setProblem('');
+    element.addEventListener('webglcontextlost', lost);
+    element.addEventListener('webglcontextrestored', back);
+    // What is told in words follows at a pace that can be read.
+    let told = -1;
+    const timer = setInterval(() => {
+      if (told !== made.version) tell();
+      told = made.version;
+    }, kWordsMs);
+    return () => {
+      clearInterval(timer);
+      element.removeEventListener('webglcontextlost', lost);
+      element.removeEventListener('webglcontextrestored', back);
+      stop();
+      alarm?.close();
+      made.close();
+      setView(null);
+    };
+  }, [session]);
+
+  useEffect(() => view?.setColors(), [view, theme]);
+  useEffect(() => {
+    // What the visitor's own hand has set comes back late and rounded: by then the hand may be further.
+    if (keyOf(options.view) === settled.current) return;
+    settled.current = '';
+    view?.look(options.view);
+  }, [view, options.view]);
+  useEffect(() => view?.chooseFrame(options.frame), [view, options.frame]);
+  useEffect(() => view?.follow(options.follow), [view, options.follow]);
+  const known = useRef(options.looks);
+  useEffect(() => {
+    const before = known.current;
+    known.current = options.looks;
+    for (const topic of new Set([...Object.keys(before), ...Object.keys(options.looks)]))
+      if (JSON.stringify(before[topic]) !== JSON.stringify(options.looks[topic])) view?.repaint(topic);
+  }, [view, options.looks]);
+  useEffect(() => view?.show(options), [view, options.grid, options.frames, options.names]);
+
+  useEffect(() => {
+    if (view === null || codec === null || typeof codec === 'string') return undefined;
+    return followTransforms(session, codec, tree, {
+      onTransforms(moved) {
+        if (moved) view.transformsMoved();
+      },
+      onProblem: (words) => {
+        unreadable.set('', words);
+        tell();
+      },
+    });
+  }, [session, view, codec, era]);
+
+  const meshes = useMemo(() => view === null ? null : shelfOf(session, view), [session, view]);
+
+  const { keep } = options;
+  const keyOfTopic = ({ name, type }: ShownTopic): string => `${type} ${name}${type === kOdometry ? ` ${keep}` : ''}`;
+  const names = shown.map(keyOfTopic).join('\n');
+  useEffect(() => () => {
+    for (const stop of followed.current.values()) stop();
+    followed.current.clear();
+  }, [session, view, codec, era]);
+  useEffect(() => {
+    if (view === null || meshes === null || codec === null || typeof codec === 'string') return;
+    const wanted = new Map(shown.map((topic) => [keyOfTopic(topic), topic]));
+    // What stays keeps what it has heard: most of it is not said twice.
+    for (const [key, stop] of followed.current) {
+      if (wanted.has(key)) continue;
+      stop();
+      followed.current.delete(key);
+    }
+    for (const [key, { name, type }] of wanted) {
+      if (followed.current.has(key)) continue;
+      const context: DisplayContext = {
+        colors: view.displayColors, keep, meshes,
+        get look() { return latest.current.options.looks[name] ?? kPlainLook; },
+      };
+      const display = makeDisplay(name, type, context);
+      if (display === null) continue;
+      view.add(name, display);
+      const follow = (topic: string): (() => void) => topic === '' ? () => undefined : feed(session, codec, topic, ({ decoded }) => {
+        if (decoded.kind === 'failed') {
+          unreadable.set(name, texts.topics.undecodable(decoded.reason));
+          tell();
+          return;
+        }
+        unreadable.delete(name);
+        if (topic === name) newest.current.set(name, decoded.value);
+        display.take(decoded.value);
+        view.messageTaken();
+      });
+      const stops = [follow(name), follow(updatesOf(name, type))];
+      followed.current.set(key, () => {
+        for (const stop of stops) stop();
+        view.remove(name);
+        newest.current.delete(name);
+        unreadable.delete(name);
+      });
+    }
+  }, [session, view, codec, names, era]);
+
+  const forget = (): void => {
+    tree.clear();
+    view?.transformsMoved();
+    begin();
+  };
+  return { canvas, veil, view, tree, problem, forget, unreadable, newest: (topic) => newest.current.get(topic) };
+}
+
+function shelfOf(session: Session, view: SceneView): MeshShelf {
+  const sizes = new Map(session.site.files.map(({ path, size }) => [path, size]));
+  return new MeshShelf({
+    size: (path) => sizes.get(path),
+    async read(path) {
+      const response = await fetchOfSite(path);
+      if (!response.ok) throw new Error(`HTTP ${response.status}`);
+      return response.arrayBuffer();
+    },
+  }, () => view.messageTaken());
+}
+
+function keyOf(view: CameraView): string {
+  return JSON.stringify(writeView(view));
+}

@@ -34,8 +34,8 @@ Table = dict[str, Lines]
 
 
 def folder_of(path: str) -> str:
-    """bundler/channel/x.cpp -> bundler/channel, cli/x.cpp -> cli."""
-    return "/".join(path.split("/")[:-1][:2])
+    """bundler/channel/x.cpp -> bundler/channel, cli/x.cpp -> cli, runtime/site/ui/model/x.ts -> runtime/site/ui."""
+    return "/".join(path.split("/")[:-1][:3 if path.startswith("runtime/site/") else 2])
 
 
 def count(table: Table, path: str, reached: int, total: int) -> None:

@@ -1,4 +1,4 @@
-// Runs a site without a browser: node headless.js SITE ...; its words and exit codes: wasm_js/headless_run.ts.
+// Runs a site without a browser: node headless.js SITE ...; its words and exit codes: session/headless_run.ts.
 
 import { isMainThread } from 'node:worker_threads';
 import { runMain } from '../session/headless_run.ts';

@@ -97,7 +97,7 @@ function startsByItself(site: Pick<Session['site'], 'ui'>): boolean {
 
 /** Never resolves when the page reloads to become isolated. Rejects with a SiteError. */
 export async function startSession(options: LaunchOptions = {}): Promise<Session> {
-  const base = options.base ?? new URL('../../wasm_js/', document.baseURI);
+  const base = options.base ?? new URL('./', document.baseURI);
   const serviceWorker = new URL('service_worker.js', base);
   // A page that carries its files has no service worker beside it.
   const alone = carriedFiles() !== undefined;

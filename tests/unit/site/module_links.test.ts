@@ -43,7 +43,7 @@ test('each import of the built page is named anew, and nothing else is changed',
     for (const name of needed) assert.ok(names.has(name), `${file} needs ${name}`);
     const linked = linkedModule(text, new Map(needed.map((name) => [name, `blob:null/${name}`])), 'importOfPage');
     const after = imports(linked);
-    assert.deepEqual(after, { now: before.now.map((name) => name.replace('../wasm_js/', 'blob:null/')), later: [] }, file);
+    assert.deepEqual(after, { now: before.now.map((name) => name.replace('./', 'blob:null/')), later: [] }, file);
     const asked = Array.from(linked.matchAll(/\bimportOfPage\("([^"]+)"\)/g), ([, name]) => `./${name}`);
     assert.deepEqual(asked.sort(), before.later.sort(), file);
     seen += before.now.length + before.later.length;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kCellFolder = "cells of the notebook/";
-/// What the kernel of notebooks makes by itself
+/// Modules that the kernel of a notebook provides itself, so that no package has to
 /// (runtime/packages/client/rclpy/ros2wasm/notebook.py).
 constexpr std::array<std::string_view, 2> kKernelModules = {"IPython/__init__.py",
                                                             "IPython/display.py"};

@@ -15,7 +15,7 @@ type Tree = Readonly<Record<string, unknown>> & { readonly start: number; readon
 const wordsOfChecks = /\/check_(words|looks)\.ts$/;
 /** Of an object that tells a problem. */
 const tellingNames = new Set(['what', 'why', 'fix', 'reason']);
-/** What has them, beside runtime/site/ui. */
+/** The files that have such sentences, besides those in runtime/site/ui. */
 const sentenceFiles = /\/runtime\/site\/(contract|bus|program|python|workers|launch|page|checks|session|bag|decode)\/\w+\.ts$/;
 /** Of index.html: paragraphs and rows with their tags, and what search engines show. */
 const htmlTexts = [/(<(p|dt|dd)\b[^>]*>)([^]*?)(?=<\/\2>)/g, /(<(meta) name="description" content=")([^"]*)/g];

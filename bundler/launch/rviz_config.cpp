@@ -10,8 +10,8 @@
 namespace ros2wasm {
 namespace {
 
-/// What draws them is in runtime/site/ui/scene/kinds.ts; the page's own list is kDrawn in
-/// runtime/site/ui/model/rviz_config.ts, and a test holds it against this one.
+/// The kinds of displays that the page draws (runtime/site/ui/scene/kinds.ts). Its own list is
+/// kDrawn in runtime/site/ui/model/rviz_config.ts; a test compares the two.
 constexpr std::string_view kDrawn[] = {
     "AccelStamped",  "GridCells",
     "LaserScan",     "Map",

@@ -153,6 +153,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     def tests_of(folder: str) -> list[Path]:
         return sorted((ROOT / "tests" / folder).rglob("*.test.ts"))
 
+    # Three files at a time on two cores: tests also wait, for browsers and for time to pass.
     def node(files: list[Path]) -> list[str]:
         return ["node", "--test", "--test-concurrency=3", *map(str, files)]
 

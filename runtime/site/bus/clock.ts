@@ -21,7 +21,6 @@ export function realNanoseconds(): number {
   return (performance.timeOrigin - steadyZero + performance.now()) * 1e6;
 }
 
-
 /** At a law that is being written: some hundredths of a second. */
 const mostLooks = 1_000_000;
 

@@ -1,4 +1,4 @@
-// The notebook of a page: what site.json says of it, and what a page and its kernel say to each other.
+// The notebook of a page: its entry in site.json, and the messages between the page and its kernel.
 
 import type { NodeState, ProgramNode, Unsubscribe } from './site_nodes.ts';
 

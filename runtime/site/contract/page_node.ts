@@ -1,5 +1,5 @@
-// What the page (or a command) can do as a participant of the graph, in the bytes of messages; runtime/site/decode makes
-// and reads them. Types only. All times are the site's: they stand still while it is held. Nothing here throws: an
+// The page (or a command) as a participant of the graph. Messages are bytes here; runtime/site/decode makes and reads
+// them. Types only. All times are the site's: they stand still while it is held. Nothing here throws: an
 // endpoint that cannot be made says so by `problem`, calls that come to nothing reject with a SiteError.
 
 import type { SiteError } from './site_error.ts';

@@ -84,12 +84,12 @@ function listResponse({ text }: SiteList): Response {
 /** By this worker's own memory, which nobody else can write to. */
 let newest: Promise<SiteList> | undefined;
 
-/** For later visits. A browser without room for it only makes these slower. */
+/** Caches the list for later visits. Without room for it the site still opens, but not offline. */
 async function putList(url: string, list: SiteList): Promise<void> {
   try {
     await (await caches.open(cacheName)).put(url, listResponse(list));
   } catch {
-    // There is no room.
+    // The browser has no room left.
   }
 }
 
@@ -140,7 +140,7 @@ async function freshSite(): Promise<Response> {
 
 let asking: Promise<SiteList> | undefined;
 
-/** What this worker knows, else as freshSite() has it. A host that answers with an error has no files to be cached. */
+/** The newest list that this worker knows; without one it asks, as freshSite() does. An error of the host counts as an empty list. */
 function currentList(): Promise<SiteList> {
   if (newest !== undefined) return newest;
   asking ??= (async () => {

@@ -1,4 +1,4 @@
-// What a session needs of the place it runs in: a browser page (launcher.ts) or Node.js (headless.ts).
+// The interface between a session and the place where it runs: a browser page (launcher.ts) or Node.js (headless.ts).
 
 import type { SiteHost } from '../program/site_host.ts';
 import type { WorkerOrder, WorkerReport } from './worker_messages.ts';
@@ -11,7 +11,7 @@ export interface WorkerHandle {
 
 export interface WorkerEvents {
   readonly report: (report: WorkerReport) => void;
-  /** The worker could not start, its script broke, or it sent what is no report (`code`, else R2W0708). */
+  /** The worker could not start, its script broke, or it sent something that is not a report (`code`, else R2W0708). */
   readonly failed: (message: string, code?: string) => void;
 }
 

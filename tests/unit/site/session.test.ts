@@ -177,7 +177,7 @@ for (const link of ['shared', 'port'] as const) {
       assert.throws(() => session.run({ package: 'p', executable: 'none', arguments: [], onLines: () => undefined, onEnd: () => undefined }), /no program p\/none/);
     }, link));
 
-  // Guarantee, hostile input: a program that traps, throws, aborts or asks for unknown functions is told with its code; the other nodes go on
+  // Guarantee, hostile input: a program that traps, throws, aborts or imports unknown functions ends with an error code in its console; the other nodes go on
   test(`${link}: exit codes, traps, exceptions and unknown imports are told; the others go on`, watchdog, () =>
     withSession([
       { program: 'exits.c', arguments: ['--code', '3'] },

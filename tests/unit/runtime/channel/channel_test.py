@@ -33,7 +33,8 @@ class Scratch(unittest.TestCase):
         self.root = Path(holder.name)
 
     def add(self, place: str, text: str) -> Path:
-        folder = self.root / "packages" / "tools" / place
+        """`place`: a kind and a name, or a name among the tools."""
+        folder = self.root / "packages" / (place if "/" in place else f"tools/{place}")
         folder.mkdir(parents=True)
         (folder / "package.xml").write_text(text, encoding="utf-8")
         return folder
@@ -49,8 +50,8 @@ class FindPackages(Scratch):
 
     def test_needed_packages_come_first_and_others_are_ignored(self) -> None:
         self.add("a", package_xml("a", "b", "ament_cmake"))
-        self.add("../interfaces/b", package_xml("b", "c", tag="exec_depend"))
-        self.add("../interfaces/c", package_xml("c"))
+        self.add("interfaces/b", package_xml("b", "c", tag="exec_depend"))
+        self.add("interfaces/c", package_xml("c"))
         found = find_packages(self.root / "packages")
         self.assertEqual(list(found), ["c", "b", "a"])
         self.assertEqual(found["a"].use_needs, ("b",))

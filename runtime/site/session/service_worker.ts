@@ -32,10 +32,12 @@ interface SiteList {
   readonly files: Manifest;
 }
 
-function withHeaders(response: Response): Response {
+/** `sandboxed`: as a document it runs no script, and has no part in the origin. */
+function withHeaders(response: Response, sandboxed = false): Response {
   if (response.type === 'opaque' || response.type === 'error' || response.status === 0) return response;
   const all = new Headers(response.headers);
   for (const [name, value] of headers) all.set(name, value);
+  if (sandboxed) all.set('Content-Security-Policy', `sandbox; ${contentSecurityPolicy}`);
   const bodiless = response.status === 204 || response.status === 304;
   return new Response(bodiless ? null : response.body, { status: response.status, statusText: response.statusText, headers: all });
 }
@@ -269,13 +271,16 @@ async function answer(event: FetchEvent): Promise<Response> {
   // Not of this site.
   if (sha256 === undefined && !url.startsWith(scope.registration.scope)) return fetch(request);
   const cached = sha256 === undefined ? undefined : await cachedFile(address, sha256);
-  if (cached !== undefined) return withHeaders(cached);
+  // HTML or SVG that a lab brings along, opened in a tab or a frame, would act as a page of the site.
+  const page = canonical(new URL('index.html', scope.registration.scope).href);
+  const sandboxed = request.mode === 'navigate' && sha256 !== undefined && address !== page;
+  if (cached !== undefined) return withHeaders(cached, sandboxed);
   // The host may let the browser keep files for long: the site was packed anew since, so ask.
   const response = sha256 === undefined ? await fetch(request) : await fetch(request, { cache: 'no-cache' });
   if (sha256 !== undefined && response.ok && response.type === 'basic') {
     event.waitUntil(keep(address, sha256, response.clone()).catch(() => undefined));
   }
-  return withHeaders(response);
+  return withHeaders(response, sandboxed);
 }
 
 /** Fetches and keeps a file, unless it does not come as site.json names it. */

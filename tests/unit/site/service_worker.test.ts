@@ -187,6 +187,24 @@ test('a file has one address, however the page and a link write it, and none on 
   assert.deepEqual([...stage.cache.keys()].filter((url) => !url.startsWith(scope)), []);
 });
 
+// Guarantee, hostile input: HTML and SVG files of a lab that are opened in a tab run no script and have no part in the origin
+test('documents of a lab are in a sandbox, the page itself is not', async () => {
+  const stage = new Stage();
+  stage.publish({ 'index.html': 'the page', 'share/lab/evil.html': 'evil', 'a.js': 'a1' });
+  const policy = async (path: string, opens: boolean): Promise<string> => {
+    const { headers } = await stage.ask(path, 'one', opens);
+    return headers.get('content-security-policy') ?? '';
+  };
+  for (const round of ['from the host', 'from the cache']) {
+    const usual = await policy('', true);
+    assert.notEqual(usual, '', round);
+    assert.equal(await policy('index.html', true), usual, round);
+    assert.equal(await policy('a.js', false), usual, round);
+    assert.equal(await policy('share/lab/evil.html', true), `sandbox; ${usual}`, round);
+    await stage.keep();
+  }
+});
+
 test('without room in the cache the page comes from the host', async () => {
   const stage = new Stage();
   stage.publish({ 'index.html': 'the page', 'a.js': 'a1' });

@@ -147,6 +147,9 @@ function table(token: Tokens.Table, context: Context, depth: number): ComponentC
   );
 }
 
+/** Files that a browser would open as pages of the site, with their scripts. */
+const kDocument = /\.(?:x?html?|xht|svgz?|xml|xsl)$/i;
+
 function link(href: string, words: ComponentChildren, context: Context): ComponentChildren {
   if (isPageAction(href)) {
     const action = readPageAction(href);
@@ -188,7 +191,7 @@ function link(href: string, words: ComponentChildren, context: Context): Compone
   }
   const path = sitePath(context.file, href);
   return path !== null && context.files.has(path) ? (
-    <a href={encodeURI(path)} target="_blank" rel="noopener">
+    <a href={encodeURI(path)} target="_blank" rel="noopener" download={kDocument.test(path)}>
       {words}
     </a>
   ) : (

@@ -83,6 +83,7 @@ def checks() -> dict[str, object]:
         "layers": lambda: run(sys.executable, "tests/tools/layers.py"),
         "files": lambda: run(sys.executable, "tests/tools/file_calls.py"),
         "house": house_rules,
+        "documents": lambda: run(sys.executable, "tests/tools/documents.py"),
         "types": lambda: run("node_modules/.bin/tsc", "--noEmit", "--incremental",
                              "--tsBuildInfoFile", "build/.tsbuildinfo", "-p", "tsconfig.json"),
         "english": lambda: run(sys.executable, "tests/tools/english.py"),

@@ -35,7 +35,8 @@ async function killAndGoOn(world: World, killed: RemotePeer): Promise<void> {
   }
   equal(await reader.call('matched', sub), 1, 'writers');
   const graph = await reader.call('waitGraph', 2);
-  equal(graph.nodes.map(({ name }) => name), ['reader', 'next'], 'nodes');
+  // By their places in the table, and the killed worker's may be free again for the second one.
+  equal(graph.nodes.map(({ name }) => name).sort(), ['next', 'reader'], 'nodes');
   await gone;
   await Promise.all([next.terminate(), reader.terminate()]);
   await empty(world);

@@ -19,7 +19,7 @@ function board(args: readonly string[]): Promise<{ readonly code: number; readon
   return new Promise((done) => {
     execFile(process.execPath, [
       join(root, 'tests/scoreboard/run.ts'), '--build', dirname(CLI), '--json', json, join(root, 'tests/packages'), ...args,
-    ], { env: { ...process.env, XDG_CACHE_HOME: join(folder, 'cache') } }, (error, output, errors) => {
+    ], { env: { ...process.env, XDG_CACHE_HOME: process.env['ROS2WASM_TEST_CACHE'] ?? join(folder, 'cache') } }, (error, output, errors) => {
       const code = typeof error?.code === 'number' ? error.code : 0;
       done({ code, output: `${output}${errors}`, rows: code === 2 ? [] : JSON.parse(readFileSync(json, 'utf8')) as Row[] });
     });

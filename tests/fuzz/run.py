@@ -25,7 +25,7 @@ def build(targets: list[str]) -> bool:
     if not (BUILD / "build.ninja").exists():
         subprocess.run(["cmake", "--preset", "fuzz"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     names = [f"fuzz_{target}" for target in targets]
-    made = subprocess.run(["nice", "ninja", "-C", str(BUILD), *names], text=True, check=False,
+    made = subprocess.run(["ninja", "-C", str(BUILD), *names], text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if made.returncode != 0:
         print(made.stdout[-6000:])

@@ -2,7 +2,8 @@
 """Runs every test suite of the project and ends with the counts.
 
 A suite is one row: a name, a command and how its result is counted. Suites that leave a core
-idle run two at a time, then the others one by one. A suite that runs no test counts as a failure, and so does a
+idle run two at a time, then the others one by one. Beside all of them, one that only computes takes the time that they
+leave. A suite that runs no test counts as a failure, and so does a
 skipped test: neither may pass for tested. Tests that wait for browsers and
 clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
 that fails twice has failed.
@@ -39,6 +40,9 @@ LONGEST = ("scoreboard", "page_every_panel", "libraries", "python_stop", "precom
 MOST_SECONDS = 1200
 # How long it may take to answer before it is killed.
 LAST_WORDS_SECONDS = 20
+# The niceness of a suite that takes the time that others leave: a tenth of their share. With less, a fuzzer would take
+# waiting for a hang.
+IDLE_NICENESS = 10
 
 
 @dataclass(frozen=True)
@@ -47,6 +51,7 @@ class Suite:
     command: list[str]
     counting: str  # "ctest", "node", "gtest" (these write JUnit XML) or "lines" ("N passed, N failed")
     alone: bool = False  # uses both cores by itself, or is about time
+    idle: bool = False  # only computes: it runs beside all others, and takes the processor when these wait
     most_seconds: float = MOST_SECONDS
     not_run: str = ""  # why it cannot run on this machine: said in a line; a failure when it was asked for
 
@@ -153,9 +158,9 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     def tests_of(folder: str) -> list[Path]:
         return sorted((ROOT / "tests" / folder).rglob("*.test.ts"))
 
-    # Three files at a time on two cores: tests also wait, for browsers and for time to pass.
-    def node(files: list[Path]) -> list[str]:
-        return ["node", "--test", "--test-concurrency=3", *map(str, files)]
+    # More files at a time than there are cores: tests also wait, for browsers and for time to pass.
+    def node(files: list[Path], at_a_time: int = 3) -> list[str]:
+        return ["node", "--test", f"--test-concurrency={at_a_time}", *map(str, files)]
 
     def rank(test: Path) -> int:
         name = test.name.removesuffix(".test.ts")
@@ -176,7 +181,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
             [sys.executable, "tests/golden/run.py", "--cli", cli] + (["--bless"] if bless else []),
             "lines",
         ),
-        Suite("fuzz", [sys.executable, "tests/fuzz/run.py"], "lines"),
+        Suite("fuzz", [sys.executable, "tests/fuzz/run.py"], "lines", idle=True, most_seconds=3600),
         Suite("unit-js", node(tests_of("unit")), "node"),
         Suite(
             "unit-python",
@@ -186,7 +191,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         Suite("conformance", node(tests_of("conformance")), "node", alone=True),
         Suite("e2e", node([file for file in ends if file not in browser]), "node", alone=True,
               most_seconds=1800),
-        Suite("browser", node(browser), "node", alone=True, most_seconds=2700),
+        Suite("browser", node(browser, 4), "node", alone=True, most_seconds=2700),
     ]
     return rows
 
@@ -221,12 +226,21 @@ def second_try(suite: Suite, failed: list[Case]) -> list[str] | None:
     return None
 
 
+def give_way(process: int) -> None:
+    """Lowers the priority of a process that began a session. Linux may weigh sessions instead of their processes."""
+    os.setpriority(os.PRIO_PROCESS, process, IDLE_NICENESS)
+    with contextlib.suppress(OSError):
+        Path(f"/proc/{process}/autogroup").write_text(str(IDLE_NICENESS))
+
+
 def started(command: list[str], environment: dict[str, str], log: Path,
-            most_seconds: float) -> tuple[int, str]:
+            most_seconds: float, idle: bool = False) -> tuple[int, str]:
     """The exit code and the output of a command, which is in the log while it runs. One that hangs is ended."""
     with log.open("w") as stream:
         process = subprocess.Popen(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=stream,
                                    stderr=subprocess.STDOUT, start_new_session=True)
+        if idle:
+            give_way(process.pid)
         try:
             process.wait(most_seconds)
         except subprocess.TimeoutExpired:
@@ -275,7 +289,7 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
     report.unlink(missing_ok=True)
     began = time.monotonic()
     code, said = started(with_report(suite, suite.command, report), environment, report.with_suffix(".log"),
-                         suite.most_seconds)
+                         suite.most_seconds, suite.idle)
     counts = counts_of(suite, report, said)
     if code != 0 and counts.failed == 0:
         counts = Counts(counts.passed, 1, counts.skipped)
@@ -318,12 +332,15 @@ def main() -> int:
             return Counts(0, 1 if options.filter else 0)
         return run(suite, build, environment)
 
-    with ThreadPoolExecutor(max_workers=2) as pool:
-        results = list(pool.map(result, [suite for suite in chosen if not suite.alone]))
-    results += [result(suite) for suite in chosen if suite.alone]
+    beside = [suite for suite in chosen if suite.idle]
+    pairs = [suite for suite in chosen if not suite.alone and not suite.idle]
+    alone = [suite for suite in chosen if suite.alone]
+    with ThreadPoolExecutor(max_workers=1) as waiting, ThreadPoolExecutor(max_workers=2) as pool:
+        idle = waiting.map(result, beside)  # begins at once
+        results = [*pool.map(result, pairs), *map(result, alone), *idle]
     passed = sum(r.passed for r in results)
     failed = sum(r.failed + r.skipped for r in results)
-    ran = list(zip([s for s in chosen if not s.alone] + [s for s in chosen if s.alone], results, strict=True))
+    ran = list(zip(pairs + alone + beside, results, strict=True))
     print("\nslowest tests (s):")
     for seconds, name in slowest([build / "test-reports" / f"{suite.name}.xml" for suite, _ in ran]):
         print(f"{seconds:7.1f}  {name}")

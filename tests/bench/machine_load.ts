@@ -34,7 +34,8 @@ export function othersShare(before: Ticks, after: Ticks): number {
     const mayBeOurs = before.ours.has(pid) || (after.orphans.has(pid) && !before.others.has(pid));
     if (!mayBeOurs) others += Math.max(0, ticks - (before.others.get(pid) ?? 0));
   }
-  return Math.max(0, others) / Math.max(1, after.all - before.all);
+  // A process that has waited for a long one gets all of its ticks at once, also those before the first look.
+  return Math.min(1, Math.max(0, others) / Math.max(1, after.all - before.all));
 }
 
 const INIT = 1;

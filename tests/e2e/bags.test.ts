@@ -23,6 +23,7 @@ import { openHeadless } from '../../runtime/site/session/headless_session.ts';
 import type { Session } from '../../runtime/site/contract/session.ts';
 import { MemorySink, until } from '../unit/bag/bag_parts.ts';
 import { FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
+import { played } from '../support/nightly.ts';
 import { chromiumOptions } from './chromium.ts';
 import { dropFile } from './drop_file.ts';
 import { finished, PackWorkspace } from './pack_workspace.ts';
@@ -117,7 +118,7 @@ async function contents(bytes: Uint8Array): Promise<Contents> {
   };
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: record, info and play`, watchdog, async () => {
     const folder = mkdtempSync(join(workspace.root, 'bags-'));
     const { session, close } = await openHeadless(site, link, entry);
@@ -222,7 +223,7 @@ test('from a shell: Ctrl-C ends a recording, which is whole', watchdog, async ()
 const heardTimes = (page: Page, text: string, times: number): Promise<unknown> =>
   page.waitForFunction(([wanted, count]) => (document.querySelector('.panel-console')?.textContent ?? '').split(wanted).length > count, [text, times] as const, patience);
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: the page records talker and turtlesim; dropped on it, the listener hears the bag`, watchdog, async () => {
     await withTabs(browser, site, link, async (open) => {
       const layout = encodeURIComponent(JSON.stringify({ row: [{ column: ['nodes', 'console'] }, { column: ['bag', 'terminal'] }], sizes: [1, 1], shown: 'bag' }));

@@ -8,6 +8,7 @@ import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
 import { openHeadless } from '../../runtime/site/session/headless_session.ts';
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -84,7 +85,7 @@ function unsaid(link: 'shared' | 'port', texts: (index: number) => readonly stri
   });
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}, Node.js: C++ and Python talk, serve and act for each other`, watchdog, async () => {
     const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {

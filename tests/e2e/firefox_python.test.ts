@@ -9,6 +9,7 @@ import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { stopGraceMs } from '../../runtime/site/program/process_runner.ts';
 import { Firefox } from '../support/firefox.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { makeSite } from './runtime_site.ts';
@@ -45,7 +46,7 @@ async function press(firefox: Firefox, label: string): Promise<void> {
   await firefox.evaluate(`${button(label)}.click()`);
 }
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['shared', true], ['port', false])) {
   test(`Firefox, ${link}: Python nodes read, have threads, stop, start again, and begin with a kept image`, watchdog, async () => {
     const host = await serveFolder(folder, { isolated });
     const firefox = await Firefox.launch({ serviceWorkers: false });

@@ -6,6 +6,7 @@ import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium } from 'playwright-core';
 import { eventually } from '../support/eventually.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
@@ -30,7 +31,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['shared', true], ['port', false])) {
   // Guarantee, hostile input: what a program sends to the page in its worker's place ends that node (R2W0727), and no other one
   test(`${link}: each node that forges reports is ended, and nothing else`, watchdog, async () => {
     const server = await serveFolder(folder, { isolated });

@@ -15,6 +15,7 @@ import { type Browser, type BrowserContext, type Page, chromium } from 'playwrig
 import { taken } from '../../runtime/site/workers/worker_realm.ts';
 import { eventually } from '../support/eventually.ts';
 import { Firefox } from '../support/firefox.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { type StaticServer, serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
@@ -79,7 +80,7 @@ function assertReachesNothing(text: string): void {
   assert.notEqual(order, 'done', 'the worker has no handler any more that an order could be given to');
 }
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['shared', true], ['port', false])) {
   test(`Firefox, ${link}: no node's worker has what leads to other sites`, watchdog, async () => {
     const server = await serveFolder(host, { isolated });
     const firefox = await Firefox.launch({ serviceWorkers: false });
@@ -92,7 +93,9 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await server.close();
     }
   });
+}
 
+for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
   test(`${link}: no node's worker has what leads to other sites`, watchdog, async () => {
     const server = await serveFolder(host, { isolated });
     const context = await browser.newContext({ serviceWorkers: 'block' });

@@ -6,6 +6,7 @@ import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -51,7 +52,7 @@ test('nodes get what the launch file decides', () => {
   assert.equal(nodes.length, 3);
 });
 
-for (const link of ['shared', 'port']) {
+for (const link of played('port', 'shared')) {
   test(`${link}: namespaces, parameters, a late start and respawn`, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '8s']);
     seenInOrder(run.stdout);

@@ -7,6 +7,7 @@ import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -108,7 +109,7 @@ test('the arguments are listed as ros2 launch lists them, and other launch files
 `);
 });
 
-for (const link of ['shared', 'port']) {
+for (const link of played('port', 'shared')) {
   for (const site of ['in_xml', 'in_python']) {
     test(`${link}, ${site}: conditions, names, values and files follow the arguments`, async () => {
       const run = (...given: string[]) =>

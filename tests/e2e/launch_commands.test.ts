@@ -13,6 +13,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { finished, PackWorkspace } from './pack_workspace.ts';
@@ -93,7 +94,7 @@ before(async () => {
 }, watchdog);
 after(() => workspace.close());
 
-for (const link of ['shared', 'port']) {
+for (const link of played('shared', 'port')) {
   test(`${link}: a service is called when the simulator has started, parameters are set when that is over`, watchdog, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '250s']);
     for (const line of expected) assert.match(run.stdout, line, run.stdout + run.stderr);

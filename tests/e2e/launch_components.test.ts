@@ -6,6 +6,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { played } from '../support/nightly.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const launchFile = `
@@ -95,7 +96,7 @@ test('the container of the package gets what the launch file says', () => {
   ]);
 });
 
-for (const link of ['shared', 'port']) {
+for (const link of played('shared', 'port')) {
   test(`${link}: they hear each other`, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--until', 'heard 5', '--for', '60s']);
     assert.equal(run.code, 0, run.stderr);

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -77,7 +78,7 @@ before(async () => {
 });
 after(() => workspace.close());
 
-for (const link of ['shared', 'port']) {
+for (const link of played('shared', 'port')) {
   test(`${link}: lines of nodes start, say and end what the launch file asks for`, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '300s']);
     for (const line of expected) assert.match(run.stdout, line, run.stderr);

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -87,7 +88,7 @@ before(async () => {
 });
 after(() => workspace.close());
 
-for (const link of ['shared', 'port']) {
+for (const link of played('port', 'shared')) {
   test(`${link}: a launch file changes states, follows changes, and ends all`, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '300s']);
     for (const lines of expected) assert.match(run.stdout, lines, run.stderr);

@@ -15,6 +15,7 @@ import { type Browser, chromium } from 'playwright-core';
 import { parse as parseYaml } from 'yaml';
 import { MemorySink } from '../unit/bag/bag_parts.ts';
 import { stringBytes } from '../unit/ui/fake_session.ts';
+import { played } from '../support/nightly.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 import { shows, withTabs } from './site_tabs.ts';
@@ -230,7 +231,7 @@ async function heard(link: string, folder: string, wanted: readonly RegExp[]): P
   return all;
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: nodes record, make, read and play bags, which are written to disk`, watchdog, async () => {
     const folder = `kept-${link}`;
     const said = await heard(link, folder, [
@@ -276,7 +277,7 @@ test('two stepped runs of one seed write the same bags', watchdog, async () => {
   for (const name of ['my_bag_0.mcap', 'py_bag_0.mcap', 'big_synthetic_bag_0.mcap']) assert.ok(names.some((path) => path.endsWith(`/${name}`)), names.join('\n'));
 });
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: in the page the bag of a node that is stopped is listed, played and downloaded`, watchdog, async () => {
     await withTabs(browser, site, link, async (open) => {
       const layout = encodeURIComponent(JSON.stringify({ row: [{ column: ['nodes', 'console'] }, { column: ['bag', 'terminal'] }], sizes: [1, 1], shown: 'bag' }));

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
+import { played } from '../support/nightly.ts';
 import { PackWorkspace, finished } from './pack_workspace.ts';
 
 // Compatibility, works: `tf_transformations`, and transforms3d (Debian's 0.4, for numpy 2); held against each other in all 24 sequences of axes
@@ -61,7 +62,7 @@ test('what Python imports comes along, also from packages of other names', () =>
   assert.deepEqual(withNumpy, ['turns-4', 'rotations-5', 'scipy_rotations-6']);
 });
 
-for (const link of ['shared', 'port']) {
+for (const link of played('port', 'shared')) {
   test(`they run on the ${link} link`, async () => {
     const child = workspace.start(['run', 'site', '--link', link, '--for', '180s']);
     let said = '';

@@ -5,6 +5,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
+import { nightlyTest } from '../support/nightly.ts';
 import { CLI, finished } from './pack_workspace.ts';
 
 const watchdog = { timeout: 900_000 };
@@ -42,7 +43,7 @@ before(async () => {
 after(() => rmSync(folder, { recursive: true, force: true }));
 
 // Guarantee, ci: `./dev package` makes the same .deb and the same tarball again, in another time zone and later
-test('the same bytes', watchdog, async () => {
+nightlyTest('the same bytes', watchdog, async () => {
   const again = await made('second', 'Asia/Tokyo');
   assert.deepEqual(readdirSync(again), readdirSync(packages));
   for (const name of readdirSync(packages))

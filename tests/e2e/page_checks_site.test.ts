@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { played } from '../support/nightly.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { withTabs } from './site_tabs.ts';
 
@@ -53,7 +54,7 @@ ui: {layout: checks}
 `);
 });
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: parameters of all types turn their checks green, and a wrong value is shown`, watchdog, () =>
     withTabs(packed.browser, packed.site, link, async (open) => {
       const page = await open('');

@@ -8,6 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, Locator, Page } from 'playwright-core';
 import { texts } from '../../runtime/site/ui/texts.ts';
+import { nightly } from '../support/nightly.ts';
 import { chromiumOptions, kSoftwareWebGl } from './chromium.ts';
 import { packEveryPanel } from './every_panel_site.ts';
 import { expectAccessible } from './page_stage.ts';
@@ -271,14 +272,14 @@ function cutOff(): Promise<readonly string[]> {
 // Guarantee, hostile input: the page sets no markup from text: of what Trusted Types guard it uses nothing but the start
 // of workers
 const kViews = [
-  { name: 'light', width: 1280, height: 800, colorScheme: 'light' },
-  { name: 'dark', width: 1280, height: 800, colorScheme: 'dark' },
+  { name: 'light', width: 1280, height: 800, colorScheme: 'light', often: true },
+  { name: 'dark', width: 1280, height: 800, colorScheme: 'dark', often: false },
   // 1280 by 800 at 200 %.
-  { name: 'zoom', width: 640, height: 400, colorScheme: 'light' },
-  { name: 'phone', width: 320, height: 740, colorScheme: 'dark' },
+  { name: 'zoom', width: 640, height: 400, colorScheme: 'light', often: false },
+  { name: 'phone', width: 320, height: 740, colorScheme: 'dark', often: true },
 ] as const;
 
-for (const { name, width, height, colorScheme } of kViews) {
+for (const { name, width, height, colorScheme } of kViews.filter(({ often }) => often || nightly)) {
   test(`every panel shows what the nodes tell, and axe finds nothing: ${name}`, watchdog, async () => {
     await page.setViewportSize({ width, height });
     await page.emulateMedia({ colorScheme });

@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { nbformatFaults } from '../support/nbformat_rules.ts';
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { PageStage, expectAccessible } from './page_stage.ts';
 import { Scratch, runCli } from './served_site.ts';
@@ -185,7 +186,7 @@ const kBesideTerminal = `#layout=${encodeURIComponent(JSON.stringify({ row: ['no
 
 // Compatibility, works: notebooks: `await client.call_async(...)`, services that a notebook answers, and `rclpy.spin(node)` until an
 // interrupt, after which `rclpy.init()` begins again
-for (const isolated of [true, false]) {
+for (const isolated of played(false, true)) {
   test(`${isolated ? 'shared' : 'port'}: a cell spins and answers until it is interrupted, and the next ones go on`, async () => {
     const served = await serveFolder(site, { isolated });
     const context = await stage.browser.newContext({ viewport: { width: 1400, height: 900 }, serviceWorkers: 'block' });

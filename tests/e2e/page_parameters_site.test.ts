@@ -7,6 +7,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
 
@@ -55,7 +56,7 @@ const says = (page: Page, label: string, text: string): Promise<unknown> =>
     { timeout: 120_000 },
   );
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: parameters of a C++ and a Python node`, watchdog, () =>
     withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = { row: [{ column: ['nodes', 'terminal'] }, 'parameters'] };

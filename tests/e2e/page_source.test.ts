@@ -9,6 +9,7 @@ import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { type StaticServer, serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { expectAccessible } from './page_stage.ts';
@@ -114,7 +115,7 @@ async function write(page: Page, text: string): Promise<void> {
   await page.keyboard.insertText(text);
 }
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['shared', true], ['port', false])) {
   // Compatibility, works: the source of a Python node is changed in the page and runs at once, is kept by the browser, and reset
   test(`what is changed is what runs, until it is reset, ${link} link`, watchdog, () => visit(isolated, { file: 'words.py' }, async (page) => {
     await consoleOf(page, 'hear').getByText('heard packed words').first().waitFor();

@@ -5,6 +5,7 @@
 
 import { test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { withTabs } from './site_tabs.ts';
 
@@ -26,7 +27,7 @@ const poses = (page: Page, line: RegExp): Promise<unknown> =>
     { timeout: 120_000 },
   );
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: a key drives the turtle`, watchdog, () =>
     withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = { row: [{ topics: { topic: '/turtle1/pose' } }, { teleop: { linear: 1.5 } }] };

@@ -13,6 +13,7 @@ import { fileURLToPath } from 'node:url';
 import { type Browser, chromium } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 
@@ -87,7 +88,7 @@ const wanted: Readonly<Record<string, RegExp>> = {
 /** These end by themselves; the others run until they are stopped. */
 const ending = ['threads-5', 'errands-6', 'life-7', 'cloud-8'];
 
-for (const link of ['shared', 'port']) {
+for (const link of played('port', 'shared')) {
   test(`${link}, Node.js: Python and compiled nodes hear each other, and a stop ends them`, watchdog, async () => {
     const child = spawn(process.execPath, [headless, folder, '--link', link], { stdio: ['ignore', 'pipe', 'pipe'] });
     const missing = new Set([...Object.keys(wanted), ...ending.map((node) => `the end of ${node}`)]);
@@ -116,7 +117,7 @@ for (const link of ['shared', 'port']) {
   });
 }
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['shared', true], ['port', false])) {
   test(`${link}, Chromium: Python nodes run under the page's policy`, watchdog, async () => {
     assert.ok(browser);
     const host = await serveFolder(folder, { isolated });

@@ -17,6 +17,7 @@ import { readFileSync, rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 import { openHeadless } from '../../runtime/site/session/headless_session.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { prints, reaches } from '../unit/site/site_fixture.ts';
@@ -80,7 +81,7 @@ function check(texts: readonly string[], end: unknown): void {
     ['tells once', 'skips the first', 'is throttled', 'is throttled for a moment'].map(times), [1, 2, 1, 3]);
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: seldom used parts of rclpy do what they do natively`, watchdog, async () => {
     const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {

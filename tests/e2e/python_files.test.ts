@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
@@ -75,7 +76,7 @@ for (const path of ['python/packages.zip', 'pyodide/python_stdlib.zip', 'pyodide
     })));
 }
 
-for (const link of ['shared', 'port']) {
+for (const link of played('shared', 'port')) {
   for (const path of ['python/packages.zip', 'pyodide/python_stdlib.zip']) {
     test(`${path}, changed in the folder, is refused headless, ${link} link`, watchdog, () => withChange(path, () => {
       const { status, stdout, stderr } = spawnSync(process.execPath, [headless, folder, '--link', link], { encoding: 'utf8', timeout: 200_000 });

@@ -10,6 +10,7 @@ import { type Browser, type BrowserContext, chromium, type Page } from 'playwrig
 import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
 import { eventually } from '../support/eventually.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 
@@ -78,7 +79,7 @@ function runHeadless(...more: readonly string[]): (Told | undefined)[] {
   return toldIn(stdout);
 }
 
-for (const link of ['shared', 'port']) {
+for (const link of played('shared', 'port')) {
   test(`${link}, Node.js: what is a node's own is no other's`, watchdog, () => {
     const since = Date.now();
     const [, , seeded] = check(runHeadless('--link', link), true, since);
@@ -110,7 +111,7 @@ function keptSizes(page: Page): Promise<number[]> {
   });
 }
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['port', false], ['shared', true])) {
   test(`${link}, Chromium: an image is kept, one that is broken is dropped`, watchdog, async () => {
     assert.ok(browser);
     const host = await serveFolder(folder, { isolated });

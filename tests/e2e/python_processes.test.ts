@@ -9,6 +9,7 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { makeSite } from './runtime_site.ts';
 
@@ -23,7 +24,7 @@ before(() => {
 
 after(() => rmSync(folder, { recursive: true }));
 
-for (const link of ['shared', 'port']) {
+for (const link of played('shared', 'port')) {
   test(`${link}: no program is started, and each try is answered`, watchdog, async () => {
     const child = spawn(process.execPath, [headless, folder, '--link', link], { stdio: ['ignore', 'pipe', 'pipe'], cwd: join(folder, 'python') });
     let [out, err] = ['', ''];

@@ -9,6 +9,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { openHeadless } from '../../runtime/site/session/headless_session.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { prints, reaches } from '../unit/site/site_fixture.ts';
 import { makeSite } from './runtime_site.ts';
@@ -46,7 +47,7 @@ before(() => {
 
 after(() => rmSync(folder, { recursive: true }));
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: a stop is to a program what it has made of SIGINT`, watchdog, async () => {
     const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {

@@ -14,6 +14,7 @@ import { after, before, test } from 'node:test';
 import { type Browser, chromium } from 'playwright-core';
 import { openHeadless } from '../../runtime/site/session/headless_session.ts';
 import { stopGraceMs } from '../../runtime/site/program/process_runner.ts';
+import { played } from '../support/nightly.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { prints, reaches } from '../unit/site/site_fixture.ts';
@@ -52,7 +53,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}, Node.js: a stop ends each wait, and the node starts again`, watchdog, async () => {
     const { session, close } = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     try {
@@ -93,7 +94,7 @@ for (const link of ['shared', 'port'] as const) {
   });
 }
 
-for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+for (const [link, isolated] of played(['shared', true], ['port', false])) {
   test(`${link}, Chromium: input() is answered from the page, and a stop ends each wait`, watchdog, async () => {
     const host = await serveFolder(folder, { isolated });
     const context = await browser.newContext({ serviceWorkers: 'block' });

@@ -10,6 +10,7 @@ import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 
 import { type HeadlessSite, openHeadless } from '../../runtime/site/session/headless_session.ts';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { prints, reaches } from '../unit/site/site_fixture.ts';
 import { makeSite } from './runtime_site.ts';
@@ -73,7 +74,7 @@ function answered({ session }: HeadlessSite): number {
 
 const only = / (begins|ends after [\d.]+ ms)$|^passed$/;
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: every wait of a Python program follows held time`, watchdog, async () => {
     const site = await openHeadless(folder, link, new URL('../../runtime/site/session/headless.ts', import.meta.url));
     const { session } = site;

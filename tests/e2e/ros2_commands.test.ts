@@ -13,6 +13,7 @@ import { bagFiles, textOfFile } from '../../runtime/site/ros2cli/shell_files.ts'
 import { runCommand } from '../../runtime/site/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/site/session/headless_session.ts';
 import type { Session } from '../../runtime/site/contract/session.ts';
+import { played } from '../support/nightly.ts';
 import { CLI, finished } from './pack_workspace.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
@@ -110,7 +111,7 @@ function printed(session: Session, id: string, pattern: RegExp): Promise<void> {
   });
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: every command over a running site`, watchdog, async (t) => {
     const { session, close } = await openHeadless(packed.site, link, entry);
     const shell = new Shell(session);
@@ -307,7 +308,7 @@ async function type(page: Page, line: string): Promise<void> {
   await page.locator('.terminal-input input').press('Enter');
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: the terminal of the page in Chromium reaches the nodes: topics, a service, a goal, parameters`, watchdog, async () => {
     await withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = encodeURIComponent(JSON.stringify({ row: ['console', 'terminal'], sizes: [1, 1], shown: 'terminal' }));

@@ -6,6 +6,7 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { chromiumOptions } from './chromium.ts';
 import { packExample } from './example_site.ts';
 import { CLI, finished } from './pack_workspace.ts';
@@ -29,7 +30,7 @@ after(async () => {
   scratch[Symbol.dispose]();
 });
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: from a shell: the nodes of the launch file alone, until Ctrl-C`, watchdog, async () => {
     const ros2 = (...words: string[]) => spawn(CLI, ['ros2', '--link', link, site, ...words], { stdio: ['ignore', 'pipe', 'pipe'] });
     const shown = await finished(ros2('launch', '-s', ...file));

@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { CLI, finished } from './pack_workspace.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
@@ -52,7 +53,7 @@ programs:
   assert.match(stderr, /error\[R2W0402\]: package `std_msgs` has no programs that a site can run/);
 });
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: from a shell`, watchdog, async () => {
     const site = packed.site;
     const ros2 = (...words: string[]) => packed.workspace.run(['ros2', '--link', link, site, ...words]);
@@ -98,7 +99,7 @@ async function type(page: Page, line: string): Promise<void> {
   await page.locator('.terminal-input input').press('Enter');
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}: in the page's terminal: a second node, components, parameters from a file`, watchdog, async () => {
     await withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = encodeURIComponent(JSON.stringify({ row: ['nodes', 'terminal'], sizes: [1, 1], shown: 'terminal' }));

@@ -8,6 +8,7 @@ import { after, test } from 'node:test';
 import { parse } from 'yaml';
 
 import type { Row } from '../scoreboard/board.ts';
+import { nightly, nightlyTest } from '../support/nightly.ts';
 import { CLI } from './pack_workspace.ts';
 
 const root = resolve(import.meta.dirname, '../..');
@@ -30,7 +31,7 @@ function board(args: readonly string[]): Promise<{ readonly code: number; readon
 const learned = (parse(readFileSync(join(root, 'tests/scoreboard/expectations/own_packages.yaml'), 'utf8')) as { package: string; executable?: string }[])
   .filter((row) => row.package.startsWith('learn_')).map((row) => `${row.package}/${row.executable}`);
 
-test('components, linked, loaded and in a container; interfaces of another package of the workspace', { timeout: 500_000 }, async () => {
+nightlyTest('components, linked, loaded and in a container; interfaces of another package of the workspace', { timeout: 500_000 }, async () => {
   const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader', '--only', 'lifecycle_sensor/launch']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
@@ -44,7 +45,7 @@ test('components, linked, loaded and in a container; interfaces of another packa
   assert.match(output, /8 of 8 executables and 3 of 3 launch files are green/);
 });
 
-test('in Chromium: files of a package and of a program, standard input, and a launch file', { timeout: 500_000 }, async () => {
+nightlyTest('in Chromium: files of a package and of a program, standard input, and a launch file', { timeout: 500_000 }, async () => {
   const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader', '--only', 'countdown/launch']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
@@ -52,24 +53,23 @@ test('in Chromium: files of a package and of a program, standard input, and a la
       'file_checks/written_in_a_thread', 'key_reader/keys']);
 });
 
+/** Those of Python, but one with a companion of C++, whose build is the longer part. */
+const ofPython = learned.filter((row) => /_py\//.test(row) && row !== 'learn_own_types_py/adder');
+
 // Compatibility, works: fifteen packages written after ROS 2's documentation, five of C++ (from it alone) and ten of Python: topics
 // (callbacks of every form), services, actions, parameters, tf2, managed nodes, own interfaces, threads, asyncio
 test('packages written from the documentation alone', { timeout: 1_200_000 }, async () => {
-  const cpp = ['topics', 'services', 'actions', 'parameters', 'frames'].map((name) => `learn_${name}_cpp`);
-  const python = ['topics', 'services', 'actions', 'parameters', 'lifecycle', 'frames', 'own_types', 'threads', 'waiting', 'asyncio']
-    .map((name) => `learn_${name}_py`);
-  const { code, rows, output } = await board(learned.flatMap((row) => ['--only', row]));
+  const rowsOf = nightly ? learned : ofPython;
+  const { code, rows, output } = await board(rowsOf.flatMap((row) => ['--only', row]));
   assert.equal(code, 0, output);
-  assert.deepEqual([...new Set(rows.map((row) => row.package))].sort(), [...cpp, ...python].sort());
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...rowsOf].sort());
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
 });
 
-test('in Chromium: packages of Python that were written from the documentation alone', { timeout: 500_000 }, async () => {
-  // Its companion is of C++, whose build is the longer part.
-  const python = learned.filter((row) => /_py\//.test(row) && row !== 'learn_own_types_py/adder');
-  const { code, rows, output } = await board(['--chromium', ...python.flatMap((row) => ['--only', row])]);
+nightlyTest('in Chromium: packages of Python that were written from the documentation alone', { timeout: 500_000 }, async () => {
+  const { code, rows, output } = await board(['--chromium', ...ofPython.flatMap((row) => ['--only', row])]);
   assert.equal(code, 0, output);
-  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...python].sort());
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...ofPython].sort());
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
 });
 

@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { played } from '../support/nightly.ts';
 import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
 
@@ -19,7 +20,7 @@ launch:
 `);
 });
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('shared', 'port')) {
   test(`${link}: an action reaches across tabs`, { timeout: 400_000 }, async () => {
     await withTabs(packed.browser, packed.site, link, async (open) => {
       const asker = await open('?graph=g&nodes=asker-2');

@@ -14,6 +14,7 @@ import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium } from 'playwright-core';
+import { played } from '../support/nightly.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -60,7 +61,7 @@ function ofNode(name: string, files: Readonly<Record<string, string>>): Readonly
   return Object.fromEntries(Object.entries(files).map(([path, text]) => [`${name}/${path}`, text]));
 }
 
-for (const link of ['shared', 'port'] as const) {
+for (const link of played('port', 'shared')) {
   test(`${link}, Node.js: --bags has those of a Python node on disk`, watchdog, async () => {
     const { out, files } = await runWithBags(folder, link);
     assert.match(out, /^\[files-1\] \/home\/user\/large\.bin is too large to be handed to the page$/m);

@@ -49,8 +49,7 @@ def fuzz(target: str, seconds: int, seed: int) -> tuple[str, bool, str]:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=int, default=60 if os.environ.get("ROS2WASM_NIGHTLY") == "1" else 8,
-                        help="per target; 8, or 60 with ROS2WASM_NIGHTLY=1")
+    parser.add_argument("--seconds", type=int, default=60, help="per target")
     parser.add_argument("--seed", type=int, default=0, help="0: another one each time")
     parser.add_argument("target", nargs="*", choices=[[], *TARGETS], help="all when none is given")
     options = parser.parse_args()

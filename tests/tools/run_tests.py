@@ -2,11 +2,11 @@
 """Runs every test suite of the project and ends with the counts.
 
 A suite is one row: a name, a command and how its result is counted. Suites that leave a core
-idle run two at a time, then the others one by one. Beside all of them, one that only computes takes the time that they
-leave. A suite that runs no test counts as a failure, and so does a
+idle run three at a time, then the others one by one. A suite that runs no test counts as a failure, and so does a
 skipped test: neither may pass for tested. Tests that wait for browsers and
 clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
-that fails twice has failed.
+that fails twice has failed. A nightly run (ROS2WASM_NIGHTLY=1) also fuzzes, and plays scenes on every link and in every
+host; tests/support/nightly.ts says which tests ask for it.
 """
 from __future__ import annotations
 
@@ -29,6 +29,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # A suite with more failures than this is not run again: these are not accidents.
 SECOND_TRIES = 8
+# Suites at a time of those that leave a core idle: one of them waits for a network most of the time.
+TOGETHER = 3
 # Tests that are listed at the end of a run.
 SLOWEST = 20
 # Files of e2e that take a minute or more. They begin first, so that no core is idle at the end of a suite.
@@ -40,9 +42,7 @@ LONGEST = ("scoreboard", "page_every_panel", "libraries", "python_stop", "precom
 MOST_SECONDS = 1200
 # How long it may take to answer before it is killed.
 LAST_WORDS_SECONDS = 20
-# The niceness of a suite that takes the time that others leave: a tenth of their share. With less, a fuzzer would take
-# waiting for a hang.
-IDLE_NICENESS = 10
+NIGHTLY = os.environ.get("ROS2WASM_NIGHTLY") == "1"
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Suite:
     command: list[str]
     counting: str  # "ctest", "node", "gtest" (these write JUnit XML) or "lines" ("N passed, N failed")
     alone: bool = False  # uses both cores by itself, or is about time
-    idle: bool = False  # only computes: it runs beside all others, and takes the processor when these wait
+    nightly: bool = False  # runs in a nightly run, and when it is asked for
     most_seconds: float = MOST_SECONDS
     not_run: str = ""  # why it cannot run on this machine: said in a line; a failure when it was asked for
 
@@ -169,6 +169,14 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     ends = sorted(tests_of("e2e"), key=rank)
     browser = [file for file in ends if opens_browser(file)]
     rows = [
+        Suite("fuzz", [sys.executable, "tests/fuzz/run.py"], "lines", alone=True, nightly=True,
+              most_seconds=3600),
+        Suite("unit-js", node(tests_of("unit")), "node"),
+        Suite(
+            "unit-python",
+            [sys.executable, "-m", "unittest", "discover", "-s", "tests", "-t", ".", "-p", "*_test.py"],
+            "lines",
+        ),
         Suite("lint", [sys.executable, "tests/tools/lint.py", "--build", str(build)], "lines"),
         Suite("native", ["ctest", "--test-dir", str(build), "--output-on-failure"], "ctest"),
         Suite(
@@ -179,13 +187,6 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         Suite(
             "golden",
             [sys.executable, "tests/golden/run.py", "--cli", cli] + (["--bless"] if bless else []),
-            "lines",
-        ),
-        Suite("fuzz", [sys.executable, "tests/fuzz/run.py"], "lines", idle=True, most_seconds=3600),
-        Suite("unit-js", node(tests_of("unit")), "node"),
-        Suite(
-            "unit-python",
-            [sys.executable, "-m", "unittest", "discover", "-s", "tests", "-t", ".", "-p", "*_test.py"],
             "lines",
         ),
         Suite("conformance", node(tests_of("conformance")), "node", alone=True),
@@ -226,21 +227,12 @@ def second_try(suite: Suite, failed: list[Case]) -> list[str] | None:
     return None
 
 
-def give_way(process: int) -> None:
-    """Lowers the priority of a process that began a session. Linux may weigh sessions instead of their processes."""
-    os.setpriority(os.PRIO_PROCESS, process, IDLE_NICENESS)
-    with contextlib.suppress(OSError):
-        Path(f"/proc/{process}/autogroup").write_text(str(IDLE_NICENESS))
-
-
 def started(command: list[str], environment: dict[str, str], log: Path,
-            most_seconds: float, idle: bool = False) -> tuple[int, str]:
+            most_seconds: float) -> tuple[int, str]:
     """The exit code and the output of a command, which is in the log while it runs. One that hangs is ended."""
     with log.open("w") as stream:
         process = subprocess.Popen(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=stream,
                                    stderr=subprocess.STDOUT, start_new_session=True)
-        if idle:
-            give_way(process.pid)
         try:
             process.wait(most_seconds)
         except subprocess.TimeoutExpired:
@@ -289,7 +281,7 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
     report.unlink(missing_ok=True)
     began = time.monotonic()
     code, said = started(with_report(suite, suite.command, report), environment, report.with_suffix(".log"),
-                         suite.most_seconds, suite.idle)
+                         suite.most_seconds)
     counts = counts_of(suite, report, said)
     if code != 0 and counts.failed == 0:
         counts = Counts(counts.passed, 1, counts.skipped)
@@ -324,7 +316,8 @@ def main() -> int:
     unknown = set(options.filter) - {suite.name for suite in rows}
     if unknown:
         parser.error(f"no such suite: {', '.join(sorted(unknown))}; there are {', '.join(s.name for s in rows)}")
-    chosen = [suite for suite in rows if not options.filter or suite.name in options.filter]
+    chosen = [suite for suite in rows
+              if suite.name in options.filter or (not options.filter and (NIGHTLY or not suite.nightly))]
 
     def result(suite: Suite) -> Counts:
         if suite.not_run:
@@ -332,15 +325,13 @@ def main() -> int:
             return Counts(0, 1 if options.filter else 0)
         return run(suite, build, environment)
 
-    beside = [suite for suite in chosen if suite.idle]
-    pairs = [suite for suite in chosen if not suite.alone and not suite.idle]
+    pairs = [suite for suite in chosen if not suite.alone]
     alone = [suite for suite in chosen if suite.alone]
-    with ThreadPoolExecutor(max_workers=1) as waiting, ThreadPoolExecutor(max_workers=2) as pool:
-        idle = waiting.map(result, beside)  # begins at once
-        results = [*pool.map(result, pairs), *map(result, alone), *idle]
+    with ThreadPoolExecutor(max_workers=TOGETHER) as pool:
+        results = [*pool.map(result, pairs), *map(result, alone)]
     passed = sum(r.passed for r in results)
     failed = sum(r.failed + r.skipped for r in results)
-    ran = list(zip(pairs + alone + beside, results, strict=True))
+    ran = list(zip(pairs + alone, results, strict=True))
     print("\nslowest tests (s):")
     for seconds, name in slowest([build / "test-reports" / f"{suite.name}.xml" for suite, _ in ran]):
         print(f"{seconds:7.1f}  {name}")
@@ -351,6 +342,8 @@ def main() -> int:
     (build / "test-reports" / "second-tries.txt").write_text("".join(f"{line}\n" for line in again))
     for line in again:
         print(f"passed at the second try only: {line}")
+    if not NIGHTLY and not options.filter:
+        print("an ordinary run; ROS2WASM_NIGHTLY=1 also fuzzes, and plays scenes on every link and in every host")
     print(f"{passed} passed, {failed} failed")
     return 1 if failed else 0
 

@@ -5,12 +5,11 @@
 // one diagonal, half the other. A nightly run plays all four.
 
 import type { LinkKind } from '../../../runtime/site/contract/session.ts';
+import { nightly } from '../../support/nightly.ts';
 
 export type Host = 'Node.js' | 'Chromium';
 
-const every = process.env['ROS2WASM_NIGHTLY'] === '1';
-
 /** `index` is the place of the scene in its list, the same one in both hosts. */
 export function isPlayed(host: Host, kind: LinkKind, index: number): boolean {
-  return every || ((host === 'Node.js') === (kind === 'shared')) === (index % 2 === 0);
+  return nightly || ((host === 'Node.js') === (kind === 'shared')) === (index % 2 === 0);
 }

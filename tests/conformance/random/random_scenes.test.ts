@@ -2,12 +2,13 @@
 // a nightly run plays more of them.
 
 import { test } from 'node:test';
+import { nightly } from '../../support/nightly.ts';
 import { Generator } from './generator.ts';
 import { PortScene } from './port_scene.ts';
 import { SharedScene } from './shared_scene.ts';
 
 const first = Number(process.env['ROS2WASM_SEED'] ?? crypto.getRandomValues(new Uint32Array(1))[0]);
-const count = Number(process.env['ROS2WASM_SCENES'] ?? (process.env['ROS2WASM_NIGHTLY'] === '1' ? 20_000 : 4_000));
+const count = Number(process.env['ROS2WASM_SCENES'] ?? (nightly ? 20_000 : 4_000));
 
 for (const [link, Scene] of [['shared', SharedScene], ['port', PortScene]] as const) {
   test(`random scenes on the ${link} link end as the model says`, { timeout: 600_000 }, (context) => {

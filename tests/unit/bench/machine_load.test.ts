@@ -18,6 +18,7 @@ test('others have what their processes used, and what was taken from the machine
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [8, 80]], [8])), 0, 'one that began meanwhile and that nobody has');
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [9, 80]])), 0, 'one of ours that has lost its parent');
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 50]])), 0, 'one that has ended');
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 5000]])), 1, 'one that has waited for what ran before');
 });
 
 /** Computes for a fifth of a second, whatever the machine does. */

@@ -1,4 +1,4 @@
-// What a site carries although nothing starts it: the programs that the manifest names under
+// Programs that a site includes although nothing starts them: those that the manifest names under
 // `programs`.
 #pragma once
 

@@ -13,9 +13,10 @@
 #include "bundler/build/source_tree.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/site/site_names.hpp"
 #include "bundler/site_budget.hpp"
 #include "bundler/site_components.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {

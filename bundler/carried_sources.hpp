@@ -1,5 +1,5 @@
-// What a site is made of, in one archive of the site, and out of it again: manifest, lock,
-// packages, and the files that the manifest names. An edge: reads and writes folders.
+// Packs the sources of a site (manifest, lock, packages, and the files that the manifest names)
+// into one archive of the site, and unpacks them. An edge: reads and writes folders.
 #pragma once
 
 #include <filesystem>

@@ -12,11 +12,12 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/plan/runtime_assets.hpp"
-#include "bundler/render/own_site.hpp"
-#include "bundler/verify/site_list.hpp"
-#include "workspace_schema/course.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_list.hpp"
+#include "bundler/verify/compressed_forms.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/schema/course.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -34,7 +35,7 @@ std::optional<Diagnostic> refuse_course(const fs::path& folder) {
   return Diagnostic{
       .code = "R2W0601",
       .message = "`" + folder.string() + "` exists and is not a course made by ros2wasm",
-      .why = {"it has no course.json of ours"},
+      .why = {"it has no course.json that ros2wasm wrote"},
       .fix = {"choose another place with -o"}};
 }
 
@@ -55,7 +56,7 @@ Outcome<std::string> course_script(const fs::path& executable) {
   return std::string();
 }
 
-/// Of the site's own list; the workspace's title, which is never empty.
+/// The title in the site's own list: that of the workspace, which is never empty.
 std::string title_of(const SitePlan& plan) {
   for (const PlannedFile& file : plan.files) {
     if (file.path != kSiteJsonName) continue;

@@ -28,7 +28,8 @@ struct CourseReport {
   std::vector<std::string> remarks;
 };
 
-/// What read_course() and pack() say, of all labs; R2W0601, R2W0615 the form of the output.
+/// The errors of read_course() and pack() for all labs; R2W0601, R2W0615 for the form of the
+/// output.
 [[nodiscard]] Outcome<CourseReport> pack_course(const CourseRequest& request,
                                                 const Cancellation& cancellation,
                                                 const ProgressSink& progress);

@@ -7,27 +7,28 @@
 #include <utility>
 
 #include "bundler/io/files.hpp"
-#include "bundler/launch/argument_choices.hpp"
 #include "bundler/launch/given_arguments.hpp"
+#include "bundler/launch/host/argument_choices.hpp"
+#include "bundler/launch/host/launch_world.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_file_nodes.hpp"
-#include "bundler/launch/launch_world.hpp"
-#include "bundler/launch/left_out.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_tools.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/package_xml.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
+#include "workspace_schema/schema/package_xml.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostTrials = 31;  // besides the one with the packed values
-/// Of the texts of the workspace that a site gets, each and together, in bytes.
+/// The limits in bytes for texts of the workspace that a site gets: for each one, and for all
+/// together.
 constexpr std::size_t kLargestText = 256U << 10U;
 constexpr std::size_t kMostText = 4U << 20U;
-/// What launch files and descriptions are made of, by the ends of names.
+/// The endings of files that launch files and descriptions use.
 constexpr std::string_view kEndings[] = {".json", ".launch", ".sdf", ".srdf", ".txt",
                                          ".urdf", ".xacro",  ".xml", ".yaml", ".yml"};
 
@@ -42,7 +43,7 @@ bool is_in_workspace(const std::string& path) {
   return path.starts_with(std::string(kLaunchWorkspace) + "/");
 }
 
-/// What an evaluation reads.
+/// Records the files that an evaluation reads.
 class Reading {
  public:
   LaunchWorld seen_through(LaunchWorld world) {
@@ -67,8 +68,8 @@ class Reading {
     }
   }
 
-  /// What was read in the workspace, and what lies beside it: an argument may name it at the start.
-  /// `left_out`: what is too much.
+  /// The texts that were read in the workspace, and those beside them: an argument may name one
+  /// when the site starts. `left_out`: texts that exceed the limits.
   [[nodiscard]] Texts texts(const LaunchWorld& world, std::vector<std::string>& left_out) const {
     Texts result = texts_;
     std::set<std::string> folders;
@@ -87,7 +88,8 @@ class Reading {
     };
     for (const auto& [path, text] : of_python_) add(path, text);
     for (const std::string& folder : folders) {
-      // What else lies in the root of a workspace is the author's own affair: reports, notes, keys.
+      // Do not take other files from the root of a workspace: they may be private, such as reports,
+      // notes or keys.
       if (folder == kLaunchWorkspace) continue;
       for (const std::string& name : world.names_in(folder)) {
         const std::string path = folder + "/" + name;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bundler/launch/left_out.hpp"
 #include "bundler/launch/packed_launch.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/pipeline.hpp"
 
 namespace ros2wasm {
@@ -20,7 +20,7 @@ struct LaunchedFile {
       more_nodes;  ///< one for each program that nothing, or only other arguments, start
   std::optional<PackedLaunch> launch;  ///< when the launch file declares arguments
   std::string package = {};            ///< of the workspace, in which the launch file lies; or none
-  std::vector<StandInPanel> panels = {};  ///< that do the work of what is left out
+  std::vector<StandInPanel> panels = {};  ///< that do the work of what is skipped
 };
 
 /// The nodes of the manifest's launch file with the launch arguments that it gives (R2W0730). What

@@ -8,13 +8,13 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/io/sha256.hpp"
-#include "bundler/launch/python_tree.hpp"
-#include "bundler/launch/seen_path.hpp"
+#include "bundler/launch/host/seen_path.hpp"
 #include "bundler/resolve/solve.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/cache_place.hpp"
 #include "bundler/store/environment.hpp"
+#include "bundler/workspace/python_tree.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 
 namespace ros2wasm {
@@ -70,7 +70,8 @@ fs::path kept_place(const LaunchEvaluationAsked& asked) {
   key.add("environment", asked.environment.string()).add("file", asked.file);
   for (const auto& [name, value] : asked.given) key.add("argument", name).add("value", value);
   std::error_code error;
-  // What is built lies in another folder after each change; what it holds was looked at.
+  // The folder of a build is another one after each change, so it is not part of the key; its
+  // contents are checked through the files that were looked at.
   const std::string built = fs::absolute(build_area(*cache), error).string() + "/";
   for (const LaunchFolder& folder : asked.folders) {
     const std::string from = fs::absolute(folder.from, error).string();
@@ -165,7 +166,7 @@ LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
     auto seen = host->seen();
     if (!seen) return;
     const KeptPython kept{.remarks = (*transcript)->remarks(), .seen = std::move(*seen)};
-    // What cannot be kept is asked again.
+    // When the result cannot be cached, the next run asks again.
     static_cast<void>(write_file(*place, kept_python_json(kept)));
   };
   result.seen = [=]() -> Outcome<SeenPaths> {

@@ -1,4 +1,4 @@
-// What launch files in Python are read with. An edge: asks channels, fills the store.
+// The tools that read launch files in Python. An edge: reads channels, fills the store.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bundler/launch/python_host.hpp"
-#include "bundler/launch/python_tree.hpp"
+#include "bundler/launch/host/python_host.hpp"
+#include "bundler/workspace/python_tree.hpp"
 
 namespace ros2wasm {
 
@@ -18,7 +18,8 @@ namespace ros2wasm {
     const std::filesystem::path& executable, const std::map<std::string, std::string>& variables,
     const std::filesystem::path& environment, const Cancellation& cancellation);
 
-/// What decides what the interpreter of one evaluation says, beside the files that it looks at.
+/// The inputs, besides the files that it looks at, that determine the answers of the interpreter of
+/// one evaluation.
 struct LaunchEvaluationAsked {
   std::filesystem::path executable;
   std::map<std::string, std::string> variables;
@@ -32,16 +33,16 @@ struct LaunchEvaluationAsked {
 struct LaunchInterpreter {
   LaunchPython python;         ///< starts when it is needed
   std::function<void()> keep;  ///< call it when all went well: the next time need not start it
-  /// What it looked at so far; empty when it was never asked.
+  /// The files that it has looked at so far; empty when it was never asked.
   std::function<Outcome<SeenPaths>()> seen;
 };
 
 /// The modules that launch files in Python are recorded with, by path, for sites that run them
-/// anew. R2W0210, R2W0912.
+/// again. R2W0210, R2W0912.
 [[nodiscard]] Outcome<PythonFiles> launch_modules(const std::filesystem::path& executable);
 
-/// What was said in an evaluation before stands while all that the interpreter looked at is as it
-/// was: then none is started. It lies in `<cache>/launch`.
+/// The answers of an earlier evaluation stay valid while all files that the interpreter looked at
+/// are unchanged: then no interpreter is started. They are cached in `<cache>/launch`.
 [[nodiscard]] LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
                                                    const Cancellation& cancellation);
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <thread>
 
+#include "bundler/build/cached_header.hpp"
 #include "bundler/build/direct_link.hpp"
-#include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"
@@ -15,16 +15,16 @@
 #include "bundler/emit/site_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
-#include "bundler/launch/installed_tree.hpp"
+#include "bundler/languages/language.hpp"
+#include "bundler/launch/host/parameter_sources.hpp"
 #include "bundler/launch/launch_graph.hpp"
-#include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch_from_file.hpp"
 #include "bundler/notebook_files.hpp"
+#include "bundler/pack_inputs.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/program_files.hpp"
 #include "bundler/python_nodes.hpp"
-#include "bundler/question.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/site_budget.hpp"
 #include "bundler/site_components.hpp"
@@ -33,10 +33,11 @@
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
 #include "bundler/workspace/default_manifest.hpp"
+#include "bundler/workspace/installed_tree.hpp"
 #include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/wheel_request.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -56,7 +57,7 @@ Diagnostics leave_link_scripts(BuiltWorkspace& workspace, const fs::path& enviro
   return {};
 }
 
-/// What the prefixes hold, packages of the workspace before those of the channels.
+/// The packages in the prefixes, those of the workspace before those of the channels.
 std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& built,
                                             const fs::path& environment) {
   std::vector<InstalledPackage> result;
@@ -156,7 +157,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
     collect_interfaces(package.prefix, package.name, input.interfaces);
     const auto left_out = collect_shared_files(package.prefix, package.name, input.shared);
     if (!left_out) return left_out.errors();
-    for (const std::string& one : *left_out) workspace.remarks.push_back("left out " + one);
+    for (const std::string& one : *left_out) workspace.remarks.push_back("skipped " + one);
   }
   for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
   if (auto added = add_python(request, workspace, input, cancellation); !added)
@@ -233,7 +234,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                .base = workspace->folder,
                                .shown_base = workspace->shown_folder,
                                .channel_packages = question->all_packages,
-                               .lacks = question->lacks};
+                               .lacks = question->lacks,
+                               .builder_of = builder_of};
   auto built = build_workspace(question->packages, question->order, question->left_out, tools,
                                settings, cancellation, progress);
   if (!built) return std::move(built).errors();
@@ -304,7 +306,7 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
   // 7. what runs
   auto nodes = launch(request, *workspace, cancellation);
   if (!nodes) {
-    // What was left out may be the reason, so the warnings are told too.
+    // A skipped package may be the reason, so report the warnings too.
     Diagnostics errors = std::move(nodes).errors();
     append(errors, workspace->warnings);
     return errors;

@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "bundler/build/build_workspace.hpp"
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/plan/plan_site.hpp"
 #include "bundler/plan/site_signature.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/page_notebook.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -54,7 +54,7 @@ struct BuiltWorkspace {
   LeftOutChains left_out;                  ///< packages of the workspace that were not built
   std::filesystem::path folder;            ///< of the manifest, absolute
   std::filesystem::path shown_folder;      ///< the same as the person named it
-  std::vector<LocalPackage> sources;       ///< its packages, also those that were left out
+  std::vector<LocalPackage> sources;       ///< its packages, also those that were skipped
   BuildTools tools;                        ///< that built them,
   BuildSettings settings;                  ///< and how
   std::vector<BuiltPackage> packages;      ///< of the workspace, in build order

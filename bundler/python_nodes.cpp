@@ -8,8 +8,8 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
-#include "bundler/launch/import_check.hpp"
-#include "bundler/launch/python_syntax.hpp"
+#include "bundler/launch/host/import_check.hpp"
+#include "bundler/launch/host/python_syntax.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
@@ -63,7 +63,7 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   }
   for (const auto& part : parts) {
     if (!part) return part.errors();
-    for (const std::string& one : *part) workspace.remarks.push_back("left out " + one);
+    for (const std::string& one : *part) workspace.remarks.push_back("skipped " + one);
   }
   for (const NamedWheel& one : workspace.wheels) {
     for (const auto& [file, bytes] : one.wheel.files) input.wheels.emplace(installed(file), bytes);
@@ -120,7 +120,7 @@ Outcome<InvalidFiles> invalid_files(const PackRequest& request, const BuiltWorks
   return result;
 }
 
-/// `because`: why a node is left out for what it misses; empty: it is not, which is an error.
+/// `because`: why a node is skipped for what it misses; empty: it is not, which is an error.
 Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
                                    const InterfaceTexts& interfaces, InvalidFiles& invalid,
                                    const std::string& because, std::vector<LaunchNode>& nodes) {
@@ -156,7 +156,7 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
       const bool is_warning = one.severity != Severity::kError || !because.empty();
       if (is_warning && one.severity == Severity::kError)
         one.why.push_back("`" + node.executable + "` of package `" + node.package +
-                          "` is left out for that, " + because);
+                          "` is skipped for that, " + because);
       one.severity = is_warning ? Severity::kWarning : Severity::kError;
       (is_warning ? workspace.warnings : errors).push_back(std::move(one));
     }

@@ -8,9 +8,9 @@
 
 #include "bundler/pipeline.hpp"
 #include "bundler/verify/site_diff.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
 
 namespace ros2wasm {
 

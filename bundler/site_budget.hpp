@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "bundler/io/files.hpp"
-#include "workspace_schema/secret_text.hpp"
-#include "workspace_schema/text_encoding.hpp"
-#include "workspace_schema/text_pattern.hpp"
-#include "workspace_schema/trimmed_text.hpp"
+#include "workspace_schema/base/secret_text.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {

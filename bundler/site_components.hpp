@@ -5,26 +5,26 @@
 #include <filesystem>
 #include <vector>
 
-#include "bundler/plan/site_component.hpp"
+#include "bundler/site/site_component.hpp"
 #include "bundler/store/store.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/discovery.hpp"
-#include "bundler/workspace/left_out.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "bundler/workspace/skipped_packages.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
 /// The texts of the files in `folder` that are licenses by the beginning of their name (`LICENSE`,
 /// `COPYING`, `NOTICE`), or of all below it, with `whatever_name`; in the order of their paths. At
-/// most 32 files of 256 KiB; what is more, is no text or is a link is left out.
+/// most 32 files of 256 KiB; what is more, is not text or is a link is skipped.
 [[nodiscard]] std::vector<std::string> license_texts(const std::filesystem::path& folder,
                                                      bool whatever_name);
 
-/// What license_texts() reads of the folder itself.
+/// The files that license_texts() reads in the folder itself.
 [[nodiscard]] std::vector<std::filesystem::path> license_files(const std::filesystem::path& folder);
 
 /// The packages of channels, which are in the store, wheels, then those of the workspace that were
-/// not left out. A package without license files has those of `workspace`.
+/// not skipped. A package without license files has those of `workspace`.
 [[nodiscard]] std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& records,
                                                          const Store& store,
                                                          const std::vector<NamedWheel>& wheels,

@@ -8,13 +8,13 @@
 #include "bundler/languages/language.hpp"
 #include "bundler/launch/component_containers.hpp"
 #include "bundler/launch/given_arguments.hpp"
+#include "bundler/launch/host/launch_world.hpp"
+#include "bundler/launch/host/parameter_sources.hpp"
+#include "bundler/launch/host/python_syntax.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_graph.hpp"
-#include "bundler/launch/launch_world.hpp"
-#include "bundler/launch/left_out.hpp"
 #include "bundler/launch/parameter_file.hpp"
-#include "bundler/launch/parameter_sources.hpp"
-#include "bundler/launch/python_syntax.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/cache_place.hpp"
@@ -24,8 +24,8 @@
 #include "bundler/workspace/page_notebook.hpp"
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -46,7 +46,8 @@ Diagnostics check_parameters(const Manifest& manifest, const fs::path& folder) {
   return errors;
 }
 
-/// What nobody has. `names`: of all packages of the channels, sorted.
+/// Reports names that neither the workspace nor a channel has. `known`: the names of the packages
+/// of the channels.
 Diagnostics check_names(CheckReport& report, const LeftOutPackages& left_out,
                         const KnownNames& known) {
   Diagnostics errors;
@@ -68,7 +69,7 @@ Diagnostics check_names(CheckReport& report, const LeftOutPackages& left_out,
   return errors;
 }
 
-/// What the launch file comes to before anything is built; what it warns of comes along.
+/// Evaluates the launch file before anything is built; its warnings are added to the report.
 Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
                               const fs::path& folder, const Cancellation& cancellation) {
   if (!report.manifest.launch_file) return {};
@@ -211,7 +212,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   for (const auto& [index, reason] : left_out) report.warnings.push_back(reason.warning);
   if (names_are_known) append(errors, check_names(report, left_out, known));
   if (!errors.empty()) {
-    // What is left out may be the reason.
+    // A skipped package may be the reason, so report the warnings too.
     append(errors, report.warnings);
     return errors;
   }

@@ -1,5 +1,5 @@
-// What a pack would refuse, as far as it shows without a compiler and without other channels than
-// the one inside the program.
+// Finds mistakes that `ros2wasm pack` would refuse, without a compiler and without channels other
+// than the one inside the program.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 #include "bundler/build/compiler.hpp"
 #include "bundler/workspace/discovery.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

@@ -7,14 +7,13 @@
 #include <map>
 #include <memory>
 
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
 
-Diagnostic command_line_error(std::string code, std::string message) {
-  return Diagnostic{
-      .code = std::move(code), .kind = FailureKind::kCommandLine, .message = std::move(message)};
+Diagnostic command_line_error(DiagnosticCode code, std::string message) {
+  return Diagnostic{.code = code, .kind = FailureKind::kCommandLine, .message = std::move(message)};
 }
 
 /// Option names of the command and the program, as people type them.
@@ -59,7 +58,7 @@ Diagnostic unexpected_word(const std::string& word, const CLI::App& command) {
   return error;
 }
 
-/// What CLI11 says about a missing or malformed value, as a diagnostic.
+/// CLI11's error about a missing or malformed value, as a diagnostic.
 Diagnostic parse_error(const CLI::ParseError& raised, const CLI::App& command) {
   std::string message = raised.what();
   std::replace(message.begin(), message.end(), '\n', ' ');
@@ -219,7 +218,7 @@ void Arguments::examples(const std::vector<std::string>& lines) {
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words,
                                      std::span<const CommandRow> table) {
   GlobalOptions global;
-  // What can be known of the global options whatever else is wrong.
+  // Read the global options first, so that they apply to errors in the other arguments too.
   for (const std::string& word : words) {
     if (word == "--") break;
     if (word == "--json") global.json = true;

@@ -10,7 +10,7 @@
 
 #include "cli/command_table.hpp"
 #include "cli/context.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace CLI {
 class App;

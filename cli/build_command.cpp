@@ -4,7 +4,7 @@
 #include "bundler/pipeline.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -9,8 +9,8 @@
 #include "bundler/store/wheel_files.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 namespace {

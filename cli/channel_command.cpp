@@ -8,8 +8,8 @@
 #include "cli/arguments.hpp"
 #include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -51,7 +51,7 @@ std::vector<std::string> text_list(const JsonValue& json, std::string_view key) 
   return list;
 }
 
-/// What a metadata file says: the keys are CondaPackage's members.
+/// Reads a metadata file: the keys are CondaPackage's members.
 Outcome<CondaPackage> read_metadata(const std::string& file) {
   const auto text = read_file(file, kMostOfList);
   if (!text) return text.errors();
@@ -169,7 +169,7 @@ int index(const ChannelOptions& options, Context& context) {
   return 0;
 }
 
-/// What a solve would pass over in a channel, and why.
+/// Prints the records of a channel that the resolver would skip, and the reasons.
 int check(const ChannelOptions& options, Context& context) {
   if (options.words.size() != 1) {
     return context.console.fail(
@@ -194,7 +194,7 @@ int check(const ChannelOptions& options, Context& context) {
     for (const LeftOutRecord& record : channel->left_out)
       context.console.result(record.subdir + "/" + record.file_name + ": " + record.reason);
     context.console.remark(std::to_string(channel->records.size()) + " records can be used, " +
-                           std::to_string(channel->left_out.size()) + " are left out");
+                           std::to_string(channel->left_out.size()) + " are skipped");
   }
   return channel->left_out.empty() ? 0 : 1;
 }

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "bundler/io/files.hpp"
-#include "bundler/launch/left_out.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/workspace_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/manifest_json.hpp"
+#include "workspace_schema/schema/manifest_json.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -27,10 +27,10 @@ int check(Context& context, const Options& options) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) path /= "workspace.yaml";
   if (is_absent(path)) {
-    return context.console.fail(
-        Diagnostic{.code = "R2W0115",
-                   .message = "there is no manifest `" + path.generic_string() + "`",
-                   .why = {"`ros2wasm check` reads a workspace.yaml, here or where it is told"}});
+    return context.console.fail(Diagnostic{
+        .code = "R2W0115",
+        .message = "there is no manifest `" + path.generic_string() + "`",
+        .why = {"`ros2wasm check` reads a workspace.yaml, in this folder or at the given path"}});
   }
   const auto report = check_workspace(
       {.manifest = path, .executable = context.executable, .variables = context.environment},

@@ -35,7 +35,7 @@ CommandBody why_command(Arguments& arguments);
 
 namespace {
 
-// What most people want comes first.
+// The commands that most people want come first.
 constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "pack", .help = "Pack a workspace into a site", .declare = pack_command},
     {.name = "serve", .help = "Serve a packed site on this machine", .declare = serve_command},
@@ -66,7 +66,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "rebuild",
      .help = "Make a site once more from what it carries, and compare",
      .declare = rebuild_command},
-    {.name = "tree", .help = "Show who needs whom in the lock", .declare = tree_command},
+    {.name = "tree", .help = "Show which package needs which in the lock", .declare = tree_command},
     {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
     {.name = "cache",
      .help = "Look after downloaded packages: info, verify, prune, fetch",

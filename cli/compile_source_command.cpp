@@ -2,8 +2,8 @@
 // for people.
 #include <memory>
 
+#include "bundler/build/cached_header.hpp"
 #include "bundler/build/compiler.hpp"
-#include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/secret_text.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {

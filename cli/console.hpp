@@ -11,8 +11,8 @@
 
 #include "cli/diagnostic_text.hpp"
 #include "cli/progress.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
 
 namespace ros2wasm {
 

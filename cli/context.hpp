@@ -1,5 +1,5 @@
-// What a command gets from main: everything of the world that it may need, so that tests can hand
-// in their own.
+// The environment that a command gets from main: the console, cancellation, variables and so on, so
+// that tests can pass their own.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/progress_event.hpp"
 
 namespace ros2wasm {
 
@@ -22,7 +22,7 @@ struct Context {
   std::map<std::string, std::string> environment;  ///< variables at start
   bool json = false;                               ///< --json: print results as JSON
 
-  /// Of the environment; empty when it is not set.
+  /// The value of an environment variable; empty when it is not set.
   [[nodiscard]] std::string variable(const std::string& name) const {
     const auto found = environment.find(name);
     return found == environment.end() ? std::string() : found->second;

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
 
 namespace ros2wasm {
 namespace {

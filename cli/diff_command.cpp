@@ -8,8 +8,8 @@
 #include "bundler/verify/site_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

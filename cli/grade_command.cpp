@@ -7,13 +7,13 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/render/course_page.hpp"
-#include "bundler/render/own_site.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_list.hpp"
 #include "bundler/verify/progress_file.hpp"
-#include "bundler/verify/site_list.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

@@ -7,8 +7,8 @@
 #include "bundler/workspace/manifest_init.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -18,10 +18,10 @@
 #include "bundler/workspace/foreign_environment.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/lock.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/version.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/version.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -96,8 +96,8 @@ std::string match_line(const std::string& input) {
   return json.text();
 }
 
-/// What is ready is answered at once, so that a program can talk line by line through pipes, and a
-/// million lines do not cost a million writes.
+/// Answers all lines of one read with one write: a program can exchange single lines through pipes,
+/// and a million lines do not cost a million writes.
 int each_line(Context& context, std::string (*answer)(const std::string&)) {
   constexpr std::size_t kLongestLine = 1 << 20;
   std::string pending;

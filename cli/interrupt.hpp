@@ -2,7 +2,7 @@
 // once.
 #pragma once
 
-#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/base/cancellation.hpp"
 
 namespace ros2wasm {
 

@@ -11,7 +11,7 @@ Outcome<std::map<std::string, std::string>> launch_arguments_of(
     if (at == 0 || at == std::string::npos) {
       return Diagnostic{.code = "R2W0902",
                         .kind = FailureKind::kCommandLine,
-                        .message = "`" + one + "` is no launch argument",
+                        .message = "`" + one + "` is not a launch argument",
                         .why = {"write it as name:=value"}};
     }
     result[one.substr(0, at)] = one.substr(at + 2);

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bundler/io/files.hpp"
+#include "bundler/launch/host/launch_world.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_tree.hpp"
-#include "bundler/launch/launch_world.hpp"
-#include "bundler/launch/left_out.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_from_file.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/render/packed_launch_json.hpp"
@@ -19,8 +19,8 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/launch_arguments.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -50,7 +50,7 @@ Outcome<Manifest> manifest_of(const fs::path& folder, const fs::path& shown) {
   return read_manifest(*text, (shown / "workspace.yaml").lexically_normal().generic_string());
 }
 
-/// The packages of the folder; one that has none is no fault here.
+/// The packages of the folder; one that has none is not a fault here.
 Outcome<std::vector<LocalPackage>> packages_of(const fs::path& folder, const fs::path& shown,
                                                const Manifest& manifest) {
   auto packages =

@@ -5,7 +5,7 @@
 #include "bundler/pipeline.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -65,7 +65,7 @@ CommandBody lock_command(Arguments& arguments) {
   arguments.flag("--offline", options->offline, "use only what is on this machine");
   arguments.values_if_any(
       "--update", options->update, "NAME",
-      "choose this package anew, as in the channels; without a name, all; may be given again");
+      "choose this package again, from the channels; without a name, all; may be given again");
   arguments.examples({"ros2wasm lock", "ros2wasm lock --update ros-jazzy-rclcpp",
                       "ros2wasm lock --check examples/01_talker_listener"});
   return [options](Context& context) { return run(context, *options); };

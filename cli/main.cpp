@@ -70,7 +70,7 @@ ConsoleOptions console_options(const GlobalOptions& global,
   return options;
 }
 
-/// Whether stdout is a pipe that nobody reads any more, as behind `| head`: that is no failure.
+/// Whether stdout is a pipe that nobody reads any more, as behind `| head`: that is not a failure.
 bool reader_ended() {
   pollfd out{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
   return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;

@@ -8,7 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/signing_key.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -125,8 +125,8 @@ std::optional<Diagnostic> unsuited(const Options& options) {
                    "sign each lab: `minisign -S -m COURSE/LAB/site.json`");
   }
   if (options.precompress && (form == ".zip" || form == ".html")) {
-    return refused("--precompress is for folders",
-                   "nothing lies beside the files of an archive or a page", folder);
+    return refused("--precompress is for folders", "an archive or a page has no files beside it",
+                   folder);
   }
   if (options.max_file_size != 0 && form == ".html")
     return refused("--max-file-size is for folders and archives", "a page is one file", folder);
@@ -216,7 +216,7 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.flag("--prune", options->prune,
                  "of a course: remove earlier packs of its labs, and what only they have");
   arguments.number("--max-file-size", options->max_file_size, "MB", 1, 100000,
-                   "let larger files lie in parts, for hosts that take none of that size");
+                   "split larger files into parts, for hosts that limit the size of a file");
   arguments.flag("--precompress", options->precompress,
                  "put NAME.br and NAME.gz beside files, for hosts that send them in their place");
   arguments.flag("--plan", options->plan,

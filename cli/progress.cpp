@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -24,7 +24,7 @@ std::string count_text(const ProgressEvent& event) {
   return text;
 }
 
-/// " 3.4 MB/s" since the step began; empty when that is no telling yet.
+/// " 3.4 MB/s" since the step began; empty when it is too early to tell.
 std::string speed_text(std::uint64_t bytes, std::int64_t elapsed_ms) {
   constexpr std::int64_t kTooShortMs = 200;
   if (bytes == 0 || elapsed_ms < kTooShortMs) return {};

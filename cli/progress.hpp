@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/progress_event.hpp"
 
 namespace ros2wasm {
 
@@ -34,7 +34,7 @@ class Progress {
   };
 
   [[nodiscard]] std::string bar(const ProgressEvent& event, const std::string& speed) const;
-  /// Of a step in bytes, since its first event.
+  /// The speed of a step that counts bytes, since its first event.
   [[nodiscard]] std::string speed(const ProgressEvent& event);
 
   ProgressForm form_;

@@ -10,7 +10,7 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/launch_arguments.hpp"
-#include "workspace_schema/duration.hpp"
+#include "workspace_schema/base/duration.hpp"
 
 namespace ros2wasm {
 namespace {

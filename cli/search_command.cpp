@@ -5,9 +5,9 @@
 #include "cli/arguments.hpp"
 #include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/serve/site_responder.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/site_list.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"

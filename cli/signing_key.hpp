@@ -8,7 +8,7 @@
 
 #include "bundler/plan/site_signature.hpp"
 #include "cli/context.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

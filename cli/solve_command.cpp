@@ -6,7 +6,7 @@
 #include "cli/arguments.hpp"
 #include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/workspace_lock.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "bundler/io/files.hpp"
-#include "bundler/render/own_site.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/signature.hpp"
 #include "bundler/verify/course_check.hpp"
-#include "bundler/verify/signature.hpp"
 #include "bundler/verify/site_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -27,7 +27,7 @@ std::uint64_t size_of(const SiteList& list) {
   return size;
 }
 
-/// Who signed, by the key that was given.
+/// The signer of a site, as checked with the given key.
 struct Signed {
   std::string key_id;
   std::string comment;
@@ -89,7 +89,7 @@ int verify(Context& context, const Options& options) {
     return context.console.fail(
         Diagnostic{.code = "R2W0902",
                    .kind = FailureKind::kCommandLine,
-                   .message = "`" + options.hash + "` is no sha256",
+                   .message = "`" + options.hash + "` is not a sha256",
                    .why = {"it has 64 of the characters 0 to 9 and a to f, as `ros2wasm pack` and "
                            "the page show it"},
                    .fix = {}});

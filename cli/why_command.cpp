@@ -3,15 +3,15 @@
 #include <memory>
 
 #include "bundler/io/files.hpp"
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/plan/plan_site.hpp"
 #include "bundler/resolve/lock_graph.hpp"
 #include "bundler/resolve/locked_solve.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/site_list.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/workspace_lock.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -48,7 +48,7 @@ int answer(Context& context, const std::string& path, std::uint64_t size,
   return 0;
 }
 
-/// Who needs a package of the lock, from what was asked for down to it.
+/// Prints why the lock has a package: the chains from requested packages to it.
 int why_package(Context& context, const std::string& name) {
   const auto lock = read_workspace_lock({});
   if (!lock) return context.console.fail(lock.errors());

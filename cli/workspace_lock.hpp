@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 

@@ -71,14 +71,14 @@ const options = {
   style: {},
   node: {
     format: 'esm', platform: 'node', target: 'node26',
-    // Of yaml the modules: what it has for Node.js asks for modules by a function that a module has not.
+    // The browser modules of yaml: its build for Node.js calls require(), which ES modules do not have.
     alias: { yaml: join(root, 'node_modules/yaml/browser/index.js') },
   },
 };
 
 /**
  * @foxglove/rosmsg is one file: with the reader of ROS 2's definitions come a grammar and a parser generator for ROS 1's
- * and MD5, 30 kB that nothing here calls. They are left out of what sites load: webpack's modules by their content.
+ * and MD5, 30 kB that nothing here calls. They are skipped of what sites load: webpack's modules by their content.
  */
 const unusedOfRosmsg = new Map([
   ['function Column(grammar', '(module) => { module.exports = { Grammar: { fromCompiled: () => undefined } }; }'],

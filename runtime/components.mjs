@@ -1,4 +1,4 @@
-// What the files that go into every site are made of: our own code and packages of npm, with versions and licenses. For
+// The components of the files that go into every site: ros2wasm's own code and npm packages, with versions and licenses. For
 // the list of components and the license texts of a site.
 
 import { readdirSync, readFileSync } from 'node:fs';

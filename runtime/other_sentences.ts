@@ -13,11 +13,11 @@ type Tree = Readonly<Record<string, unknown>> & { readonly start: number; readon
 
 /** Files whose words are all read by visitors. */
 const wordsOfChecks = /\/check_(words|looks)\.ts$/;
-/** Of an object that tells a problem. */
+/** Property names of an object that describes a problem. */
 const tellingNames = new Set(['what', 'why', 'fix', 'reason']);
 /** The files that have such sentences, besides those in runtime/site/ui. */
 const sentenceFiles = /\/runtime\/site\/(contract|bus|program|python|workers|launch|page|checks|session|bag|decode)\/\w+\.ts$/;
-/** Of index.html: paragraphs and rows with their tags, and what search engines show. */
+/** Patterns for index.html: paragraphs and rows with their tags, and the description that search engines show. */
 const htmlTexts = [/(<(p|dt|dd)\b[^>]*>)([^]*?)(?=<\/\2>)/g, /(<(meta) name="description" content=")([^"]*)/g];
 
 const isTree = (value: unknown): value is Tree => typeof value === 'object' && value !== null && 'type' in value;

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -46,7 +46,7 @@ using MemberVisitor =
                                                       std::uint64_t limit_bytes,
                                                       const std::string& name);
 
-/// What a visitor of a whole archive returns for a damaged one.
+/// The diagnostic that a visitor of a whole archive returns when the archive is damaged.
 [[nodiscard]] Diagnostic damaged_archive(const std::string& name, const std::string& why);
 
 }  // namespace ros2wasm

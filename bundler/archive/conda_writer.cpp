@@ -13,9 +13,9 @@
 #include "bundler/archive/zstd.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/record_rules.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {

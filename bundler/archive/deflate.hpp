@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -15,7 +15,7 @@ namespace ros2wasm {
 /// The same with the header of gzip, which has no time and no name.
 [[nodiscard]] std::string gzipped(std::string_view bytes);
 
-/// Of gzipped(); as inflated().
+/// The inverse of gzipped(). Limits and errors are those of inflated().
 [[nodiscard]] Outcome<std::string> gunzipped(std::string_view bytes, std::uint64_t limit_bytes,
                                              const std::string& name);
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -74,7 +74,7 @@ Diagnostic ExtractMeter::too_much(const std::string& why) const {
   return Diagnostic{.code = "R2W0225",
                     .kind = FailureKind::kEnvironment,
                     .message = "the archive of `" + name_ + "` was refused",
-                    .why = {why, "nothing of it was kept"}};
+                    .why = {why, "nothing of it was stored"}};
 }
 
 Outcome<ExtractLimits> extract_limits_of(std::string_view flag,

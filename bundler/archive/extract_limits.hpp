@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -24,7 +24,7 @@ inline constexpr const char* kExtractLimitsVariable = "ROS2WASM_ARCHIVE_LIMITS";
 /// default, an empty text keeps all. Sizes are bytes, or end with K, M or G (1024 each). R2W0241.
 [[nodiscard]] Outcome<ExtractLimits> read_extract_limits(std::string_view text);
 
-/// What a flag says, else what the environment does. R2W0241.
+/// The limits of the flag; when the flag is empty, those of the environment variable. R2W0241.
 [[nodiscard]] Outcome<ExtractLimits> extract_limits_of(
     std::string_view flag, const std::map<std::string, std::string>& variables);
 

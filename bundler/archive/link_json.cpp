@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bundler/archive/archive_library.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -67,7 +67,7 @@ Outcome<std::vector<EntryPoint>> parse_entry_points(std::string_view link_json,
     auto entry_point = text == nullptr ? std::nullopt : read_entry_point(*text);
     if (!entry_point) {
       return damaged_archive(name, text == nullptr
-                                       ? "info/link.json has an entry point that is no text"
+                                       ? "info/link.json has an entry point that is not text"
                                        : "info/link.json has the entry point `" + *text + "`");
     }
     entry_points.push_back(std::move(*entry_point));

@@ -1,5 +1,5 @@
-// What the names in archives mean: which of them and which link targets may be written below a
-// folder, which are programs that conda would run. Pure: names only, no disk.
+// Rules for the names in archives: which names and link targets may be written below a folder, and
+// which files are programs that conda would run. Pure: names only, no disk.
 #pragma once
 
 #include <optional>

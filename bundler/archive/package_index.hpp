@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

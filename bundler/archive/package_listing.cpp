@@ -9,7 +9,7 @@
 #include "bundler/archive/paths_json.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -129,7 +129,7 @@ Outcome<PackageListing> list_package(const std::filesystem::path& archive,
     } else {
       gathered.listing.faults.push_back(
           {"info/link.json", entry_points.errors().front().why.empty()
-                                 ? "it is no JSON"
+                                 ? "it is not a JSON"
                                  : entry_points.errors().front().why.front()});
     }
   }

@@ -1,4 +1,4 @@
-// What is in a conda archive and how it compares with its own info/paths.json. Writes nothing and
+// The contents of a conda archive, compared with its own info/paths.json. Writes nothing and
 // refuses only bombs: for looking at archives, damaged ones too. Unpacking is in
 // package_reader.hpp.
 #pragma once
@@ -11,7 +11,7 @@
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/extract_limits.hpp"
 #include "bundler/archive/link_json.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

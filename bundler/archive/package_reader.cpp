@@ -18,8 +18,8 @@
 #include "bundler/archive/zip_files.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -31,8 +31,8 @@ struct WrittenFile {
   std::uint64_t size = 0;
 };
 
-Diagnostic refused(std::string code, const std::string& name, const std::string& why) {
-  return refused_archive(std::move(code), name, {why, "nothing of it was kept"});
+Diagnostic refused(DiagnosticCode code, const std::string& name, const std::string& why) {
+  return refused_archive(std::move(code), name, {why, "nothing of it was stored"});
 }
 
 class Unpacker {
@@ -193,7 +193,7 @@ class Unpacker {
       if (found == files_.end()) {
         return refused(
             "R2W0223", name_,
-            "the hard link `" + path + "` leads to `" + target + "`, which is no file of it");
+            "the hard link `" + path + "` leads to `" + target + "`, which is not a file of it");
       }
       if (auto made = make_folder_of(path); !made) return made;
       std::error_code error;
@@ -280,7 +280,7 @@ class Unpacker {
       case PathKind::kDirectory: {
         std::error_code error;
         if (!fs::is_directory(fs::symlink_status(directory_ / path, error)))
-          return quoted + " is no folder";
+          return quoted + " is not a folder";
         return std::nullopt;
       }
       case PathKind::kLink:

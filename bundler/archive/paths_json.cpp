@@ -6,7 +6,7 @@
 
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/link_rules.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -16,7 +16,7 @@ PathKind kind_of(const std::string& path_type) {
   return path_type == "directory" ? PathKind::kDirectory : PathKind::kFile;
 }
 
-/// What stands in has_prefix without a placeholder was made for this one.
+/// The placeholder of lines in has_prefix that name none.
 constexpr const char* kOldPlaceholder = "/opt/anaconda1anaconda2anaconda3";
 
 using Paths = std::map<std::string, PathEntry>;

@@ -1,4 +1,4 @@
-// What a package says of its files: info/paths.json has their hashes; packages from before 2017
+// A package's description of its files: info/paths.json has their hashes; packages from before 2017
 // have only lists of names. Pure.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

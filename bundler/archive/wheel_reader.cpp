@@ -7,7 +7,7 @@
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/zip_files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -85,7 +85,7 @@ std::optional<RecordRow> record_row(std::string_view line) {
   return RecordRow{std::move(cells[0]), std::move(cells[1]), std::move(cells[2])};
 }
 
-/// What RECORD says and the files are not, as sentences.
+/// The differences between RECORD and the files, as sentences.
 std::vector<std::string> record_faults(const Files& files, const std::string& info) {
   const std::string own = info + "RECORD";
   std::vector<std::string> faults;

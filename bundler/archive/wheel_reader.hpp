@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bundler/archive/extract_limits.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/wheel_name.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/conda/wheel_name.hpp"
 
 namespace ros2wasm {
 

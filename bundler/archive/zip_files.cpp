@@ -6,7 +6,7 @@
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -26,7 +26,7 @@ class Collector {
     if (member.kind == MemberKind::kDirectory) return Done{};
     if (member.kind != MemberKind::kFile)
       return refused_archive("R2W0223", name_,
-                             {"the member `" + *path + "` is no file, but a link"});
+                             {"the member `" + *path + "` is not a file, but a link"});
     const auto [found, is_new] = claimed_.emplace(ascii_lower(*path), *path);
     if (!is_new) {
       return refused_archive(
@@ -71,9 +71,9 @@ Outcome<std::map<std::string, ZipFile>> read_zip_files(const fs::path& file,
   return collector.take();
 }
 
-Diagnostic refused_archive(std::string code, const std::string& name,
+Diagnostic refused_archive(DiagnosticCode code, const std::string& name,
                            std::vector<std::string> why) {
-  return Diagnostic{.code = std::move(code),
+  return Diagnostic{.code = code,
                     .kind = FailureKind::kEnvironment,
                     .message = "the archive of `" + name + "` was refused",
                     .why = std::move(why)};

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bundler/archive/extract_limits.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -22,7 +22,7 @@ struct ZipFile {
     const std::filesystem::path& file, const std::string& name, const ExtractLimits& limits);
 
 /// Says why an archive is not taken.
-[[nodiscard]] Diagnostic refused_archive(std::string code, const std::string& name,
+[[nodiscard]] Diagnostic refused_archive(DiagnosticCode code, const std::string& name,
                                          std::vector<std::string> why);
 
 }  // namespace ros2wasm

@@ -31,7 +31,7 @@ constexpr std::array<std::uint32_t, 256> crc_table() {
   return table;
 }
 
-/// What local header and central directory have in common.
+/// The fields that the local header and the central directory have in common.
 std::string member_facts(std::string_view name, std::string_view bytes) {
   std::string facts;
   put16(facts, kVersionNeeded);

@@ -1,5 +1,5 @@
-// What programs ask of an operating system and no browser has, by the symbol that an object refers
-// to or the header that a source includes. Pure.
+// Features of an operating system that no browser has, by the symbol that an object refers to or
+// the header that a source includes. Pure.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct BrowserLimit {
 /// `header` as it is included.
 [[nodiscard]] const BrowserLimit* limit_of_header(std::string_view header);
 
-/// What a message about such a header says of it, line by line; nothing when it has no limit.
+/// The lines that a message adds about such a header; empty when it has no limit.
 [[nodiscard]] std::vector<std::string> told_of_header(std::string_view header);
 
 /// The symbols with a limit, without those that only a family of names tells: a C library may

@@ -12,20 +12,20 @@
 #include <optional>
 #include <thread>
 
+#include "bundler/build/cached_work.hpp"
 #include "bundler/build/compiler_warnings.hpp"
-#include "bundler/build/kept_work.hpp"
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/missing_headers.hpp"
 #include "bundler/build/source_hash.hpp"
 #include "bundler/build/split_programs.hpp"
+#include "bundler/io/cached_folder.hpp"
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
-#include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/workspace/channel_request.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -180,7 +180,7 @@ class WorkspaceBuilder {
 
   [[nodiscard]] Outcome<BuiltPackage> build(std::size_t index, unsigned jobs) {
     const LocalPackage& package = packages_[index];
-    const Language& language = *find_language(package.xml.build_type);
+    PackageBuilder* const builder = settings_.builder_of(package.xml.build_type);
     std::vector<const BuiltPackage*> needs;
     for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
     const auto hash =
@@ -194,7 +194,7 @@ class WorkspaceBuilder {
                         .from_cache = true};
     if (!is_kept(result.prefix, *hash)) {
       result.from_cache = false;
-      if (auto done = build_anew(language, package, needs, result, jobs); !done)
+      if (auto done = build_anew(*builder, package, needs, result, jobs); !done)
         return std::move(done).errors();
     }
     Diagnostics findings = left_out_programs(result.prefix, place_of(package));
@@ -212,7 +212,7 @@ class WorkspaceBuilder {
             .channel_packages = known_packages_};
   }
 
-  [[nodiscard]] Outcome<Done> build_anew(const Language& language, const LocalPackage& package,
+  [[nodiscard]] Outcome<Done> build_anew(PackageBuilder& builder, const LocalPackage& package,
                                          const std::vector<const BuiltPackage*>& needs,
                                          const BuiltPackage& result, unsigned jobs) {
     const std::string& name = result.name;
@@ -245,13 +245,13 @@ class WorkspaceBuilder {
     if (!settings_.environment_prefix.empty())
       request.prefixes.push_back(settings_.environment_prefix);
 
-    if (auto done = language.build(request, tools_, cancellation_, progress_); !done) return done;
+    if (auto done = builder(request, tools_, cancellation_, progress_); !done) return done;
     if (auto done = split_programs(staging->path(), name); !done) return done;
     if (auto done = install_link_kits(work / kLinkKits, staging->path(), name); !done) return done;
     return keep_folder(staging->path(), prefix, result.hash);
   }
 
-  /// The reason for which a package that failed is left out, if there is one.
+  /// The reason for which a package that failed is skipped, if there is one.
   [[nodiscard]] std::optional<LeftOutReason> reason_of(std::size_t index,
                                                        const Diagnostics& errors) const {
     const auto lack = settings_.lacks.find(index);
@@ -271,8 +271,9 @@ class WorkspaceBuilder {
     return left_out_by_cmake(packages_[index], errors.front());
   }
 
-  /// What asks for things that neither channels nor workspace have, and what needs it. When nothing
-  /// would remain, it is told what these are.
+  /// Skips the packages that ask for things that neither the channels nor the workspace have, and
+  /// the packages that need them. When nothing would remain, adds the missing things to the errors
+  /// instead.
   void leave_out_what_nobody_can_build() {
     if (std::none_of(built_.begin(), built_.end(),
                      [](const auto& one) { return one.has_value(); })) {

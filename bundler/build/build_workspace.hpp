@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "bundler/languages/language.hpp"
+#include "bundler/build/build_package.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/discovery.hpp"
-#include "bundler/workspace/left_out.hpp"
+#include "bundler/workspace/skipped_packages.hpp"
 
 namespace ros2wasm {
 
@@ -23,8 +23,9 @@ struct BuildSettings {
   std::filesystem::path base;                ///< of the workspace
   std::filesystem::path shown_base;          ///< the same as the person named it, for messages
   std::vector<std::string>
-      channel_packages;  ///< ROS names that the channels have, sorted: for advice
-  Lacks lacks = {};      ///< of packages that are built all the same
+      channel_packages;             ///< ROS names that the channels have, sorted: for advice
+  Lacks lacks = {};                 ///< of packages that are built all the same
+  BuilderOf* builder_of = nullptr;  ///< has a row for each build type of the order
 };
 
 struct BuiltPackage {
@@ -33,17 +34,17 @@ struct BuiltPackage {
   std::filesystem::path prefix;
   std::string hash;
   bool from_cache = false;
-  Diagnostics warnings = {};  ///< programs that were left out, and what the compiler warned of
+  Diagnostics warnings = {};  ///< programs that were skipped, and what the compiler warned of
 };
 
 struct WorkspaceBuild {
   std::vector<BuiltPackage> packages;  ///< in build order, only what was built
-  Diagnostics warnings;                ///< packages and programs that were left out
+  Diagnostics warnings;                ///< packages and programs that were skipped
   LeftOutChains left_out;              ///< the same, for who needs them
 };
 
-/// What a failed build says first when the disk of `cache` has little room: the tools' own messages
-/// seldom name the cause, and a linker without room dies like one with a bug. R2W0640.
+/// The first message of a failed build when the disk of `cache` has little room: the tools' own
+/// messages seldom name the cause, and a linker without room dies like one with a bug. R2W0640.
 [[nodiscard]] std::optional<Diagnostic> little_room(const std::filesystem::path& cache,
                                                     std::uint64_t available);
 

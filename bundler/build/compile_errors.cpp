@@ -10,7 +10,7 @@
 
 #include "bundler/build/browser_limits.hpp"
 #include "bundler/build/long_width.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -43,7 +43,8 @@ std::optional<CompilerMessage> next_error(const std::vector<std::string>& lines,
   return std::nullopt;
 }
 
-/// What this compiler's C++ library lacks. Seen in a message, it is the reason.
+/// A feature that this compiler's C++ library lacks. `sign` in a message shows that it is the
+/// reason.
 struct MissingFeature {
   std::string_view sign;
   std::string_view name;
@@ -74,7 +75,7 @@ void explain_missing_features(Diagnostic& diagnostic, const BuildPlace& place) {
   }
 }
 
-/// What tools say when they have no memory, or were ended for that.
+/// A text that a tool prints when it has no memory, or when it was killed for that reason.
 struct LackOfMemory {
   std::string_view sign;
   std::string_view reason;
@@ -94,7 +95,7 @@ constexpr auto kLacksOfMemory = std::to_array<LackOfMemory>({
     {"ended by signal 9 ", kKilled},
 });
 
-/// What is known of headers that no site can have.
+/// Adds reasons to the message for a missing header that no site can have.
 void explain_limits(Diagnostic& diagnostic) {
   static const std::regex kHeader(R"('([^'\t\n]+)' file not found)");
   std::smatch match;

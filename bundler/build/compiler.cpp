@@ -8,8 +8,8 @@
 
 #include "bundler/build/compiler_parts.hpp"
 #include "bundler/io/process.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/version.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/conda/version.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

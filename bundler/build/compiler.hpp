@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -36,8 +36,8 @@ struct Compiler {
                                                         const std::vector<std::string>& packaged,
                                                         const EnvironmentVariables& variables);
 
-/// What Emscripten's tools need in their environment here: Debian's emcc finds its JavaScript
-/// libraries through NODE_PATH, whichever Node.js runs it.
+/// The environment that Emscripten's tools need here: Debian's emcc finds its JavaScript libraries
+/// through NODE_PATH, whichever Node.js runs it.
 [[nodiscard]] EnvironmentVariables compiler_environment(const EnvironmentVariables& variables);
 
 /// As compiler_environment(), for calls of the compiler and its tools. Debian's emcc runs the first

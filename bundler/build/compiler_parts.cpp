@@ -10,7 +10,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char* kBuildPrefix = "clang";
 
-/// Of single links and of those for threads, as the driver chooses them for our options.
+/// The libraries of single links and of links with threads, as the driver chooses them for our
+/// options.
 constexpr auto kLibraries = std::to_array<std::string_view>({
     "libc++-except.a",
     "libc++-mt-except.a",

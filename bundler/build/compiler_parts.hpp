@@ -1,5 +1,5 @@
-// What of Emscripten ends up in programs beside its version: clang, and the system libraries. Read
-// from the disk; no tool is started.
+// The parts of Emscripten, besides its version, that decide what is in programs: clang and the
+// system libraries. Read from the disk; no tool is started.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bundler/build/compiler.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
@@ -38,7 +38,7 @@ struct CompilerParts {
                                                     const std::string& own_build,
                                                     const std::vector<std::string>& packaged);
 
-/// What was found, or what stands for it where nothing was; R2W0530 when the packages do not fit
+/// The compiler that was found, or a substitute when none was; R2W0530 when the packages do not fit
 /// it. `packaged`: those of emscripten-abi.
 [[nodiscard]] Outcome<Compiler> fitting_compiler(Outcome<Compiler> found,
                                                  const std::vector<PackageRecord>& packaged,

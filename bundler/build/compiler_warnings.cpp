@@ -9,9 +9,9 @@
 
 #include "bundler/build/long_width.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ using Identity = std::tuple<std::string, std::string, std::uint32_t, std::uint32
 
 Identity identity_of(const Diagnostic& one) {
   const SourceSpan span = one.span.value_or(SourceSpan());
-  return {one.code, span.file, span.line, span.column, one.message};
+  return {one.code.text(), span.file, span.line, span.column, one.message};
 }
 
 Diagnostics each_once(const Diagnostics& findings) {
@@ -43,7 +43,8 @@ Diagnostics each_once(const Diagnostics& findings) {
   return result;
 }
 
-/// What a command makes, from what CMake lets ninja say of it: "Building CXX object a.cpp.o".
+/// The file that a command makes, from the line that ninja prints for it: "Building CXX object
+/// a.cpp.o".
 std::string output_of(const std::string& ninja_line) {
   constexpr auto kKinds = std::to_array<std::string_view>({" object ", " executable "});
   for (const std::string_view kind : kKinds)

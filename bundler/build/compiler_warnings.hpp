@@ -1,6 +1,6 @@
-// What compilers and the link driver said of a package without failing: kept from command to
-// command, as ninja runs only those that must, and with the package, so that the cache tells it
-// again.
+// Findings of compilers and the link driver that do not fail a package. They are stored for each
+// command, since ninja runs only the commands that must run, and with the package, so that a cached
+// package reports them again.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,11 @@ namespace ros2wasm {
 /// R2W0525, warnings of the compiler in files of the package itself, each once and whole.
 [[nodiscard]] Diagnostics compiler_warnings(std::string_view text, const BuildPlace& place);
 
-/// What a command made -> what it said. Places are below the package's folder.
+/// The output file of a command -> its findings. Places are below the package's folder.
 using CommandFindings = std::map<std::string, Diagnostics>;
 
-/// Of the commands that ran, as ninja printed them; those that said nothing too.
+/// The findings of the commands that ran, as ninja printed them. Commands without findings have an
+/// entry too.
 [[nodiscard]] CommandFindings command_findings(std::string_view ninja_output,
                                                const BuildPlace& place);
 
@@ -28,17 +29,17 @@ using CommandFindings = std::map<std::string, Diagnostics>;
 [[nodiscard]] CommandFindings current_findings(CommandFindings earlier, CommandFindings fresh,
                                                std::string_view build_ninja);
 
-/// Of all commands, each finding once.
+/// The findings of all commands, each once.
 [[nodiscard]] Diagnostics all_findings(const CommandFindings& findings);
 
 [[nodiscard]] CommandFindings read_command_findings(const std::filesystem::path& work);
 Outcome<Done> write_command_findings(const std::filesystem::path& work,
                                      const CommandFindings& findings);
 
-/// With an installed package; nothing is written when there is nothing to tell.
+/// Stores the findings with an installed package; writes nothing when there are none.
 Outcome<Done> keep_findings(const std::filesystem::path& prefix, const Diagnostics& findings);
 
-/// What an installed package says of itself, with places as the person sees them.
+/// The findings that are stored with an installed package, with places as the person sees them.
 [[nodiscard]] Diagnostics kept_findings(const std::filesystem::path& prefix,
                                         const BuildPlace& place);
 

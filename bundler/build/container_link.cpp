@@ -47,7 +47,7 @@ Outcome<fs::path> link_container(const std::string& container, const std::string
       return Diagnostic{.code = "R2W0505",
                         .message = "components of package `" + name +
                                    "` cannot be in one container with those of other packages",
-                        .why = {"it is no package of the workspace"}};
+                        .why = {"it is not a package of the workspace"}};
     auto kit = kit_of(*package, container);
     if (!kit) return std::move(kit).errors();
     hash.add(name, package->hash);

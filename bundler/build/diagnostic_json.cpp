@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -65,7 +65,7 @@ Diagnostics read_diagnostics(const JsonValue& json) {
     const JsonValue* kind = item.find("kind");
     const auto number = kind == nullptr ? std::nullopt : kind->integer();
     result.push_back(
-        Diagnostic{.code = item.text_of("code"),
+        Diagnostic{.code = DiagnosticCode::of_text(item.text_of("code")),
                    .severity = static_cast<Severity>(number_of(item, "severity")),
                    .kind = number ? static_cast<FailureKind>(*number) : FailureKind::kUserInput,
                    .message = item.text_of("message"),

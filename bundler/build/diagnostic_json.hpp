@@ -5,16 +5,16 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
 [[nodiscard]] std::string diagnostics_to_json(const Diagnostics& diagnostics);
 
-/// What is not such JSON yields nothing.
+/// Empty for a text that is not such JSON.
 [[nodiscard]] Diagnostics diagnostics_from_json(std::string_view text);
 
-/// What the link of one program found.
+/// The findings of the link of one program.
 struct LinkFindings {
   std::string output;   ///< the file that was linked, as the command names it
   std::string program;  ///< its name, which is that of CMake's target
@@ -23,7 +23,7 @@ struct LinkFindings {
 
 [[nodiscard]] std::string link_findings_to_json(const LinkFindings& findings);
 
-/// What is not such JSON yields nothing.
+/// Empty for a text that is not such JSON.
 [[nodiscard]] LinkFindings link_findings_from_json(std::string_view text);
 
 }  // namespace ros2wasm

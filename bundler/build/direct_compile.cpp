@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 11> kPairs = {"-MT",      "-MF",        "
 constexpr std::array<std::string_view, 6> kBeginnings = {
     "-I", "-D", "-U", "-ffile-prefix-map=", "-fmacro-prefix-map=", "-fdiagnostics-color"};
 constexpr std::array<std::string_view, 3> kWords = {"-c", "-MD", "-MMD"};
-/// What is more than a compilation, or none.
+/// Options with which the command does more than compile, or does not compile.
 constexpr std::array<std::string_view, 7> kForeign = {"-E", "-S", "-M", "-MM", "-x", "-v", "-###"};
 
 template <std::size_t N>

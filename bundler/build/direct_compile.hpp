@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/base/cancellation.hpp"
 
 namespace ros2wasm {
 

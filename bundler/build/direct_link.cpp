@@ -29,8 +29,8 @@ constexpr std::array<std::string_view, 9> kPasses = {
     "--memory-packing",   "--simplify-locals", "--vacuum",
     "--coalesce-locals",  "--reorder-locals",  "--remove-unused-module-elements"};
 
-/// Of the driver only: they say how to compile, optimize or debug, which the
-/// calls say already.
+/// Options for the driver only: they say how to compile, optimize or debug, which the calls have
+/// already.
 constexpr std::array<std::string_view, 7> kIgnoredPrefixes = {"-O", "-g",   "-f",       "-m",
                                                               "-W", "-std", "-pedantic"};
 
@@ -101,7 +101,7 @@ std::optional<ToolCalls> calls_from(const std::string& text) {
   return calls;
 }
 
-/// What the driver says for a program of the marker alone. Kept as it was printed.
+/// The calls that the driver prints for a program of the marker alone. Cached as text.
 std::optional<ToolCalls> tool_calls(const DirectLink& link, const std::string& marker,
                                     const Cancellation& cancellation) {
   const fs::path kept = link.kept / key_of(link);
@@ -153,7 +153,7 @@ void put_passes(std::vector<std::string>& optimizer) {
   optimizer.insert(next, kPasses.begin(), kPasses.end());
 }
 
-/// Of the linker, or of the optimizer after it. What it printed, when it succeeded.
+/// Runs the linker, or the optimizer after it. Its output when it succeeded, else nothing.
 std::optional<std::string> printed_by(std::vector<std::string> command, const DirectLink& link,
                                       const Cancellation& cancellation) {
   // A name without a folder is looked for where the driver looks: other programs may have it too.

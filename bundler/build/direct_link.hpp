@@ -12,11 +12,11 @@
 
 #include "bundler/build/compiler.hpp"
 #include "bundler/build/link_line.hpp"
-#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/base/cancellation.hpp"
 
 namespace ros2wasm {
 
-/// How the driver calls its tools. The files that it works on are left out.
+/// How the driver calls its tools. The files that it works on are skipped.
 struct ToolCalls {
   std::vector<std::string> linker;     ///< with what stands before the objects of the program
   std::vector<std::string> after;      ///< what stands after them

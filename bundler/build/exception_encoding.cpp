@@ -13,8 +13,8 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// What Emscripten 3.1.6 uses and the standard encoding needs. Not "all": newer features change the
-/// encoding of other sections, which fewer browsers read.
+/// The features that Emscripten 3.1.6 uses and that the standard encoding needs. Not "all": newer
+/// features change the encoding of other sections, which fewer browsers read.
 constexpr std::array<const char*, 7> kFeatures = {
     "--enable-exception-handling", "--enable-reference-types", "--enable-threads",
     "--enable-bulk-memory",        "--enable-mutable-globals", "--enable-sign-ext",

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bundler/build/link_line.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

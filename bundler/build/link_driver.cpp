@@ -14,8 +14,8 @@
 #include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/replaced_text.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -116,7 +116,8 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
   return result;
 }
 
-/// What of the program no browser has, and what nothing defines. Warnings alone: it can run.
+/// The symbols of the program that no browser has or that nothing defines. When all are warnings,
+/// the program can run.
 Diagnostics findings_of(const LinkRequest& request, const LinkLine& line,
                         const std::vector<std::string>& undefined, const std::string& printed,
                         const std::string& stem, const Cancellation& cancellation) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bundler/build/link_line.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -39,7 +39,7 @@ struct LinkKit {
   std::vector<std::string> arguments;  ///< after the compiler, without -o
 };
 
-/// Of a package in `prefix`, sorted by base and name.
+/// The kits of the package that is installed in `prefix`, sorted by base and name.
 [[nodiscard]] Outcome<std::vector<LinkKit>> program_kits(const std::filesystem::path& prefix);
 [[nodiscard]] Outcome<std::vector<LinkKit>> plugin_kits(const std::filesystem::path& prefix);
 

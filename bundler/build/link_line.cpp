@@ -106,7 +106,8 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                       const std::string& stem) {
   std::vector<std::string> command = {
       line.compiler, "-O2", "--profiling-funcs", "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1",
-      // What the loader calls: the text of an uncaught exception, a thread's stack, files.
+      // Functions that the loader calls: the text of an uncaught exception, a thread's stack,
+      // files.
       "-Wl,--export-if-defined=__cpp_exception", "-Wl,--export-if-defined=ros2wasm_exception_what",
       "-Wl,--export-if-defined=ros2wasm_thread_stack",
       "-Wl,--export-if-defined=ros2wasm_timed_waits", "-Wl,--export-if-defined=ros2wasm_fd_read",
@@ -123,9 +124,9 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
       command.insert(
           command.end(),
           {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
-           // Destructors of what is static, and what was not flushed: at the end, as natively.
+           // Run static destructors and flush streams at the end, as on a robot.
            "-sEXIT_RUNTIME=1", "-Wl,--export=fflush",
-           // What the programs import from "ros2wasm" is not known to the glue writer.
+           // Emscripten's JavaScript step does not know the imports from "ros2wasm".
            "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0", line.thread_support});
       break;
   }

@@ -35,7 +35,7 @@ inline constexpr const char* kSingleLinkObjectSuffix = ".single_link.o";
 [[nodiscard]] std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                                     const std::string& stem);
 
-/// What the imports of a singly linked program say.
+/// The findings about the imports of a singly linked program.
 struct ImportFindings {
   bool needs_threads = false;
   std::vector<std::string>

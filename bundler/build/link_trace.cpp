@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "bundler/build/browser_limits.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ constexpr std::string_view kDefinition = ": definition of ";
 constexpr std::string_view kLazyDefinition = ": lazy definition of ";
 constexpr std::string_view kSystemLibraries = "/wasm32-emscripten/";
 
-/// What of a limit a program refers to: symbol -> objects, which may be unknown.
+/// The symbols of one limit that a program uses -> the objects that use them, which may be unknown.
 using Uses = std::map<std::string, std::set<std::string>>;
 
 std::set<std::string> own_objects(const TracedProgram& program, const std::string& symbol) {
@@ -41,7 +41,7 @@ bool defines_itself(const TracedProgram& program, const std::string& symbol) {
 Diagnostic finding(const TracedProgram& program, const BrowserLimit& limit, const Uses& uses,
                    bool is_undefined) {
   const bool only_warns = limit.only_fails && !is_undefined;
-  Diagnostic result{.code = only_warns ? "R2W0524" : "R2W0523",
+  Diagnostic result{.code = only_warns ? DiagnosticCode("R2W0524") : DiagnosticCode("R2W0523"),
                     .severity = only_warns ? Severity::kWarning : Severity::kError,
                     .message = program.shown + (only_warns ? " asks for " : " needs ") +
                                std::string(limit.what) + ", which no browser has",
@@ -56,8 +56,7 @@ Diagnostic finding(const TracedProgram& program, const BrowserLimit& limit, cons
     result.why.push_back(object + " refers to " + name_list(symbols));
   result.why.push_back("instead: " + std::string(limit.instead));
   if (!only_warns)
-    result.why.emplace_back(
-        "code between `#ifndef __EMSCRIPTEN__` and `#endif` is left out of a site");
+    result.why.emplace_back("code between `#ifndef __EMSCRIPTEN__` and `#endif` is skipped");
   return result;
 }
 
@@ -149,7 +148,7 @@ Diagnostic left_out_for_limit(Diagnostic limit) {
   constexpr std::string_view kNeeds = " needs ";
   limit.severity = Severity::kWarning;
   if (const auto at = limit.message.find(kNeeds); at != std::string::npos)
-    limit.message.replace(at, kNeeds.size(), " is left out: it needs ");
+    limit.message.replace(at, kNeeds.size(), " is skipped: it needs ");
   return limit;
 }
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -22,7 +22,7 @@ struct LinkTrace {
 
 [[nodiscard]] LinkTrace read_link_trace(std::string_view printed);
 
-/// What else it printed.
+/// The rest of the output, without the trace.
 [[nodiscard]] std::string without_trace(std::string_view printed);
 
 /// "src/udp.cpp" for "CMakeFiles/udp.dir/src/udp.cpp.o", "udp.cpp of libnet.a" for a member of an
@@ -44,10 +44,10 @@ struct TracedProgram {
 /// that nothing defines; R2W0524, a warning, for calls that only fail. The label is that thing.
 [[nodiscard]] Diagnostics limit_findings(const TracedProgram& program);
 
-/// "sockets (src/udp.cpp refers to `socket`)": what a program that is left out needs.
+/// "sockets (src/udp.cpp refers to `socket`)": what a program that is skipped needs.
 [[nodiscard]] std::string need_of(const Diagnostic& limit);
 
-/// The same finding as the warning that a program was left out for it.
+/// The same finding as the warning that a program was skipped for it.
 [[nodiscard]] Diagnostic left_out_for_limit(Diagnostic limit);
 
 }  // namespace ros2wasm

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
 
 namespace ros2wasm {
 

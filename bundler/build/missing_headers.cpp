@@ -137,12 +137,12 @@ Diagnostics left_out_programs(const fs::path& prefix, const BuildPlace& place) {
     }
     std::vector<std::string> why = told_of_header(header);
     why.emplace_back(
-        "it is built when the header lies in the package, or when a package that package.xml asks "
+        "it is built when the header is in the package, or when a package that package.xml asks "
         "for installs it");
     warnings.push_back({.code = "R2W0522",
                         .severity = Severity::kWarning,
                         .message = "`" + target + "` of package `" + place.package +
-                                   "` is left out: nothing gives the header `" + header + "`",
+                                   "` is skipped: nothing gives the header `" + header + "`",
                         .span = std::move(span),
                         .label = "included here",
                         .why = std::move(why)});

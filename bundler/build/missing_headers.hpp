@@ -1,4 +1,4 @@
-// Programs that are left out of a build because they include a header that nothing gives.
+// Programs that are skipped because they include a header that nothing gives.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,15 @@
 
 namespace ros2wasm {
 
-/// What a program of a package includes and nobody has.
+/// A header that a program includes and that no package has.
 struct MissingHeader {
   std::string target;  ///< of CMake
   std::string header;
   SourceSpan place;  ///< of the include; the file is below the package's folder, or absolute
 };
 
-/// Into the folder of a build and of an installed package: what was left out of it.
+/// The file in the folder of a build, and of an installed package, that lists the missing headers
+/// of skipped programs.
 inline constexpr const char* kMissingHeaders = ".missing-headers";
 
 /// When each command that failed is a compiler's, with no other error than a header that is not
@@ -40,8 +41,8 @@ inline constexpr const char* kMissingHeaders = ".missing-headers";
 [[nodiscard]] Outcome<Done> write_missing_headers(const std::filesystem::path& prefix,
                                                   const std::vector<MissingHeader>& missing);
 
-/// What an installed package says of itself: R2W0522, warnings. Or R2W0502 alone, errors, when a
-/// package that is known by now has the header, and should be asked for.
+/// The stored findings of an installed package: R2W0522, warnings. Only R2W0502, errors, when a
+/// package that is known by now has the header and should be depended on.
 [[nodiscard]] Diagnostics left_out_programs(const std::filesystem::path& prefix,
                                             const BuildPlace& place);
 

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <vector>
 
-#include "bundler/build/kept_work.hpp"
+#include "bundler/build/cached_work.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

@@ -3,8 +3,8 @@
 
 #include "bundler/build/link_driver.hpp"
 #include "bundler/build/split_programs.hpp"
+#include "bundler/io/cached_folder.hpp"
 #include "bundler/io/files.hpp"
-#include "bundler/io/kept_folder.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

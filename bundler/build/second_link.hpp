@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bundler/build/build_workspace.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <optional>
 
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/trimmed_text.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr const char* kCode = "R2W0516";
+constexpr DiagnosticCode kCode = "R2W0516";
 constexpr std::string_view kPrograms = "console_scripts";
 
 Diagnostic refused(const BuildPlace& place, const std::string& file, std::uint32_t line,
@@ -102,7 +102,7 @@ Diagnostics unknown_keywords(const JsonValue& json, const BuildPlace& place) {
   return result;
 }
 
-/// What a name or a version consists of: both become part of a folder's name.
+/// Whether all characters may be in a name or a version: both become part of a folder's name.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||

@@ -1,4 +1,4 @@
-// What a setup.py would install, as templates/python/read_setup.mjs tells it. Pure.
+// The files that a setup.py would install, as templates/python/read_setup.mjs reports them. Pure.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bundler/build/compile_errors.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

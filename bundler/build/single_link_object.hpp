@@ -11,16 +11,16 @@ namespace ros2wasm {
 
 inline constexpr std::string_view kThreadMarkerImport = "thread_create_required";
 
-/// What `__tls_base` is in a single link. Up to LLVM 19, wasm-ld gives thread-local variables
-/// absolute addresses there and still adds the base to them: they lie over other data unless the
+/// The value of `__tls_base` in a single link. Up to LLVM 19, wasm-ld gives thread-local variables
+/// absolute addresses there and still adds the base to them: they overlap other data unless the
 /// base is zero.
 enum class TlsBase { kOfLinker, kZero };
 
 /// A relocatable WebAssembly object (tool conventions, linking version 2). The function is weak.
 [[nodiscard]] std::string single_link_object(TlsBase tls_base);
 
-/// What the linker needs that belongs to the compiler of `object`; kZero when the object does not
-/// say.
+/// The base that the linker of the compiler of `object` needs; kZero when the object does not name
+/// its compiler.
 [[nodiscard]] TlsBase tls_base_for(std::string_view object);
 
 }  // namespace ros2wasm

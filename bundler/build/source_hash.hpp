@@ -5,18 +5,18 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
-/// What of a folder elsewhere, to which a link leads, is in a hash.
+/// The part of the hash for a link that leads to a folder outside.
 enum class LinksOut {
   kNamed,   ///< where the link leads
   kHashed,  ///< what is there, too, for builds that read it: of its first 20,000 files and folders
             ///< the bytes, and past 64 MB of them, or where they cannot be read, sizes and times
 };
 
-/// Of what source_tree() finds. R2W0210: what cannot be read has no hash.
+/// The hash of the files that source_tree() finds. R2W0210 when a file cannot be read.
 [[nodiscard]] Outcome<std::string> hash_of_tree(const std::filesystem::path& folder,
                                                 const std::filesystem::path& workspace = {},
                                                 LinksOut links_out = LinksOut::kNamed);

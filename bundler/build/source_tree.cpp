@@ -5,7 +5,7 @@
 #include <map>
 
 #include "bundler/io/files.hpp"
-#include "bundler/render/own_site.hpp"
+#include "bundler/site/own_site.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

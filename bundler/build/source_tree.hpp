@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <string>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
-/// Of the programs in lib/<package>/ of `prefix`: `talker.names` beside `talker.wasm`.
+/// Moves the function names of the programs in lib/<package>/ of `prefix` into files of their own:
+/// `talker.names` beside `talker.wasm`.
 [[nodiscard]] Outcome<Done> split_programs(const std::filesystem::path& prefix,
                                            const std::string& package);
 

@@ -38,8 +38,8 @@ struct WasmModule {
 /// True when the program was linked for threads: it imports a shared memory.
 [[nodiscard]] bool imports_shared_memory(const WasmModule& module);
 
-/// What the section "producers" says of the version of one tool: "clang" is also "Debian clang".
-/// Empty when it names none.
+/// The version of one tool in the section "producers"; "clang" also matches "Debian clang". Empty
+/// when the section does not name the tool.
 [[nodiscard]] std::string producer_version(std::string_view bytes, std::string_view tool);
 
 /// A program and, kept apart, the names of its functions for crash reports.

@@ -17,11 +17,12 @@ struct ObjectSymbol {
   bool is_hidden = false;  ///< natively nobody outside its library sees it
 };
 
-/// The strong definitions that other objects see. Nothing when `object` is no WebAssembly object.
+/// The strong definitions that other objects see. Nothing when `object` is not a WebAssembly
+/// object.
 [[nodiscard]] std::optional<std::vector<ObjectSymbol>> strong_definitions(std::string_view object);
 
 /// Those of each member of an archive, with offsets in the archive. Members that are no objects
-/// define nothing. Nothing when `archive` is no archive, or a damaged one.
+/// define nothing. Nothing when `archive` is not an archive, or a damaged one.
 [[nodiscard]] std::optional<std::vector<ObjectSymbol>> archive_definitions(
     std::string_view archive);
 

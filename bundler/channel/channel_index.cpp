@@ -14,9 +14,9 @@
 #include "bundler/channel/shard_index.hpp"
 #include "bundler/channel/subdir_index.hpp"
 #include "bundler/channel/transport.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/spec_channel.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/spec_channel.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -193,7 +193,7 @@ class Reach {
     return std::exchange(waiting_, {});
   }
 
-  /// What the records from `first` on depend on.
+  /// Adds the names that the records from `first` on depend on.
   void follow(const RepoIndex& index, std::size_t first) {
     for (std::size_t i = first; i < index.records.size(); ++i) {
       for (const std::string& text : index.records[i].depends) {

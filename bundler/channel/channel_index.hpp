@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "bundler/channel/channel_network.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/channel_priority.hpp"
-#include "workspace_schema/diagnostic.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_record.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
+#include "workspace_schema/conda/channel_priority.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
@@ -55,8 +55,8 @@ struct RepoIndex {
   std::vector<std::string> channels;   ///< in the order of priority
   std::vector<PackageRecord> records;  ///< in no order that matters
   std::vector<LeftOutRecord> left_out;
-  /// Of all packages of the channels, sorted; records may be fewer. For explaining what is missing;
-  /// may be empty.
+  /// The names of all packages of the channels, sorted; there may be fewer records. For explaining
+  /// what is missing; may be empty.
   std::function<std::vector<std::string>()> names;
   /// Which of these names another platform has: "linux-64 in CHANNEL". Reads more of the channels,
   /// so it is for explaining what is missing; may be empty.
@@ -69,12 +69,11 @@ class OpenChannels {
   /// Names of all packages, sorted.
   [[nodiscard]] const std::vector<std::string>& names() const;
 
-  /// Of the channels themselves, in the order of priority.
+  /// The names of the channels, in the order of priority.
   [[nodiscard]] std::vector<std::string> channels() const;
 
-  /// What a solution of these match specs can be made of: the records of the names that they speak
-  /// of, of the names that those depend on, and so on. Texts that are no match specs are passed
-  /// over.
+  /// All records that a solution of these match specs can use: those of the names in the specs, of
+  /// the names that those depend on, and so on. Texts that are not valid match specs are skipped.
   [[nodiscard]] Outcome<RepoIndex> reachable(std::span<const std::string> specs,
                                              ChannelPriority priority,
                                              const Cancellation& cancellation = {}) const;

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "workspace_schema/secret_text.hpp"
+#include "workspace_schema/base/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -35,7 +35,7 @@ Outcome<std::string> with_variables(std::string_view text, const ChannelNetwork&
       return Diagnostic{.code = "R2W0237",
                         .message = "a channel asks for the variable `" + name +
                                    "`, which the environment does not have",
-                        .why = {"`${" + name + "}` in a channel stands for its value"}};
+                        .why = {"`${" + name + "}` in a channel is replaced by its value"}};
     }
     out.append(text.substr(0, begin)).append(value);
     text.remove_prefix(end + 1);
@@ -87,7 +87,8 @@ bool is_private_way(std::string_view url) {
   return host == "localhost" || host == "[::1]" || (is_number && host.starts_with("127."));
 }
 
-/// What a ROS2WASM_AUTH_HOST says: "token X" for the path, "user:password", or a bearer token.
+/// Adds the credentials of a variable ROS2WASM_AUTH_HOST: "token X" for the path, "user:password",
+/// or a bearer token.
 void add_host_credentials(DownloadSource& source, const ChannelNetwork& network) {
   const std::string value = variable(network.variables, host_variable(source.shown_url));
   constexpr std::string_view kToken = "token ";
@@ -104,7 +105,7 @@ void add_host_credentials(DownloadSource& source, const ChannelNetwork& network)
   }
 }
 
-/// Whoever writes an index says where its files are, but not that they lie beside a folder.
+/// Whether a path from an index stays below its folder. An index may not name files outside of it.
 bool stays_below(std::string_view rest) {
   while (rest.starts_with('/')) rest.remove_prefix(1);
   const std::filesystem::path path = std::filesystem::path(rest).lexically_normal();

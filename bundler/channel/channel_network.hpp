@@ -1,5 +1,5 @@
-// What is known of the network and of channels' addresses: the base of bare names, mirrors,
-// credentials. Pure: addresses and variables in, addresses out.
+// Settings of the network and of channels' addresses: the base of bare names, mirrors, credentials.
+// Pure: addresses and variables in, addresses out.
 #pragma once
 
 #include <map>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "bundler/io/download.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
-/// Who may read below an address. Never written anywhere.
+/// The credentials for reading below an address. They are never written to a file or a message.
 struct ChannelSecret {
   std::string base;       ///< "https://host/channel", without credentials
   std::string user_info;  ///< "user:password" as in an address

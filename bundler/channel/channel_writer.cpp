@@ -7,9 +7,9 @@
 #include "bundler/channel/known_archives.hpp"
 #include "bundler/channel/repodata_record.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/record_rules.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/conda/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {

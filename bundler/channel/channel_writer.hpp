@@ -7,8 +7,8 @@
 
 #include "bundler/archive/conda_writer.hpp"
 #include "bundler/channel/shard_writer.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 

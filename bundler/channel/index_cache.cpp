@@ -7,8 +7,8 @@
 #include "bundler/io/download.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -122,7 +122,7 @@ Outcome<LocalFile> settled(const Copy& copy, const fs::path& file, const Outcome
                                 ? "it wants credentials: netrc, ROS2WASM_AUTH_<HOST> (for https), "
                                   "or in the channel's "
                                   "address"
-                                : "that is no answer to what was asked"}};
+                                : "that is not an answer to what was asked"}};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace ros2wasm {
 
-/// What stands beside a copy, as JSON. Pure.
+/// The state of a cached copy, stored beside it as JSON. Pure.
 struct IndexCopyState {
   std::string url;  ///< without credentials
   std::string etag;
@@ -31,7 +31,7 @@ struct IndexCopyState {
 
 /// For each address the file as it is now, or nothing when there is none; mirrors are the caller's.
 /// Offline: the copy, or nothing. Errors are those of download.hpp; R2W0234 also for 401 and 403 of
-/// a repodata.json; R2W0202 what came is no index.
+/// a repodata.json; R2W0202 what came is not an index.
 [[nodiscard]] std::vector<Outcome<LocalFile>> bring_indexes(std::span<const std::string> urls,
                                                             const ChannelRoots& roots,
                                                             const Cancellation& cancellation);

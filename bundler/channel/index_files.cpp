@@ -41,8 +41,9 @@ std::string_view subdir_of(std::string_view folder_url) {
   return folder_url.substr(folder_url.rfind('/') + 1);
 }
 
-/// What the channels lack is remembered of those that answered with some index only: an address may
-/// become a channel at any time. The plain form, which every channel has, is always asked for.
+/// Remembers the forms of the index that a channel lacks, but only when the channel has some index:
+/// an address may become a channel at any time. The plain form, which every channel has, is always
+/// requested.
 void remember_missing_forms(std::span<const std::string> folder_urls,
                             const std::vector<FoundIndex>& found, const ChannelRoots& roots) {
   std::set<std::string_view> channels;

@@ -6,8 +6,8 @@
 
 #include "bundler/archive/package_index.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

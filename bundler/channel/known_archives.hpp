@@ -1,6 +1,6 @@
-// What was read of the archives of a channel's folder when its index was written, so that the next
-// time only what has changed is read. An edge: asks the clock, reads and writes one file in that
-// folder.
+// The facts that were read from the archives of a channel's folder when its index was written, so
+// that the next run reads only changed archives. An edge: asks the clock, reads and writes one file
+// in that folder.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 #include "bundler/io/mapped_file.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

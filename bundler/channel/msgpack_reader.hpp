@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 

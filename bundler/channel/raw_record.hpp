@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 
@@ -63,7 +63,7 @@ class RawRecord {
   std::array<RawMember, 14> members_;
 };
 
-/// Of an object, those members that count.
+/// The members of an object that are in RecordMember.
 [[nodiscard]] RawRecord raw_record(const JsonValue& json);
 
 }  // namespace ros2wasm

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "bundler/channel/raw_record.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

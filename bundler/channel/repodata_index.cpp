@@ -6,15 +6,15 @@
 #include <set>
 
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/cached_index.hpp"
 #include "bundler/channel/channel_address.hpp"
 #include "bundler/channel/in_order.hpp"
-#include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/read_in_parts.hpp"
 #include "bundler/channel/record_json.hpp"
 #include "bundler/io/replaced_file.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/record_rules.hpp"
-#include "workspace_schema/secret_text.hpp"
+#include "workspace_schema/base/secret_text.hpp"
+#include "workspace_schema/conda/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -87,7 +87,7 @@ Outcome<Bytes> made_in_memory(const RepodataSource& source, const FileIdentity& 
   return result;
 }
 
-/// Nothing when the cache cannot be written: a full disk is no reason to stop.
+/// Nothing when the cache cannot be written: a full disk must not stop the run.
 Outcome<std::optional<Bytes>> made_in_cache(const RepodataSource& source, const fs::path& kept,
                                             const FileIdentity& identity, std::string_view bytes,
                                             const Cancellation& cancellation) {
@@ -296,7 +296,7 @@ fs::path kept_index_place(const fs::path& cache, const fs::path& source) {
 Diagnostic no_index(const std::string& url, std::string why) {
   return Diagnostic{.code = "R2W0202",
                     .kind = FailureKind::kEnvironment,
-                    .message = "`" + url + "` is no index of a channel",
+                    .message = "`" + url + "` is not an index of a channel",
                     .why = {std::move(why)}};
 }
 

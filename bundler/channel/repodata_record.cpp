@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "workspace_schema/record_rules.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/conda/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -92,7 +92,7 @@ std::optional<std::string> read_noarch(const RawRecord& raw, NoarchKind& noarch)
   return std::nullopt;
 }
 
-/// Of a hexadecimal digit itself in lower case, of all else zero.
+/// Maps a hexadecimal digit to itself in lower case, any other character to zero.
 constexpr auto kHexDigits = [] {
   std::array<char, 256> digits{};
   for (const char c : std::string_view("0123456789abcdef"))

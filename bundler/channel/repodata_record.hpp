@@ -8,7 +8,7 @@
 
 #include "bundler/channel/raw_record.hpp"
 #include "bundler/channel/spec_table.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 

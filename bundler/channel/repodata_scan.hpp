@@ -23,9 +23,9 @@ class RepodataScanner {
   explicit RepodataScanner(std::function<void(const FoundRecord&)> found)
       : found_(std::move(found)) {}
 
-  /// What is wrong with the text, or nothing.
+  /// Describes a fault of the text, or nothing.
   [[nodiscard]] std::optional<std::string> feed(std::string_view piece);
-  /// Said once, behind the last piece.
+  /// To be called once, after the last piece.
   [[nodiscard]] std::optional<std::string> finish();
 
   /// The values of these keys as JSON text; empty when they are not there.

@@ -11,9 +11,9 @@
 #include "bundler/channel/in_order.hpp"
 #include "bundler/channel/msgpack_reader.hpp"
 #include "bundler/channel/repodata_index.hpp"
-#include "workspace_schema/record_rules.hpp"
-#include "workspace_schema/secret_text.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/secret_text.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/conda/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -130,7 +130,7 @@ bool read_member(MsgpackReader& reader, RecordMember member, RawMember& into) {
   return value.has_value();
 }
 
-/// Nothing when it is no map, or too deep.
+/// Nothing when it is not a map, or too deep.
 std::optional<RawRecord> raw_record(std::string_view bytes) {
   RawRecord record;
   MsgpackReader reader(bytes);

@@ -10,7 +10,7 @@
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/repodata_record.hpp"
 #include "bundler/channel/spec_table.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -28,7 +28,7 @@ struct ShardList {
   std::unique_ptr<std::string> listed;  ///< what the shards' names and hashes are views of
 };
 
-/// Of a repodata_shards.msgpack.zst. R2W0202; `url` is for messages.
+/// Reads the bytes of a repodata_shards.msgpack.zst. R2W0202; `url` is for messages.
 [[nodiscard]] Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& url);
 
 /// Adds the records of a shard to `into`, those that cannot be used to its `left_out`. R2W0202;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
@@ -17,7 +17,7 @@ struct IndexPart {
 };
 
 /// `shards/<sha256>.msgpack.zst` of each name, then `repodata_shards.msgpack.zst`, to be written in
-/// this order. The same records give the same bytes: the time of writing is left out. Pure.
+/// this order. The same records give the same bytes: the time of writing is skipped. Pure.
 [[nodiscard]] std::vector<IndexPart> shard_parts(const std::string& subdir,
                                                  const std::vector<PackageRecord>& records);
 

@@ -5,12 +5,12 @@
 #include <array>
 #include <string_view>
 
-#include "workspace_schema/version.hpp"
+#include "workspace_schema/conda/version.hpp"
 
 namespace ros2wasm {
 namespace {
 
-/// What a name in its plainest form has.
+/// The characters of a name in its plainest form.
 constexpr auto kPlain = [] {
   std::array<bool, 256> plain{};
   for (const char c : std::string_view("abcdefghijklmnopqrstuvwxyz0123456789-_."))
@@ -18,7 +18,7 @@ constexpr auto kPlain = [] {
   return plain;
 }();
 
-/// What follows a name can say that the name is another: a channel, an address, members.
+/// Characters after a name that can change its meaning: signs of a channel, an address, or members.
 constexpr auto kRenaming = [] {
   std::array<bool, 256> renaming{};
   for (const char c : std::string_view(":/[(")) renaming.at(static_cast<unsigned char>(c)) = true;

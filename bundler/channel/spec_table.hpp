@@ -7,8 +7,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 namespace ros2wasm {
 
@@ -19,15 +19,16 @@ namespace ros2wasm {
 class SpecTable {
  public:
   SpecTable() = default;
-  /// Of a table that does not check, records are read without a look at their specs: who uses such
-  /// a record parses those that matter.
+  /// With `checks` false, records are read without parsing their specs: the user of such a record
+  /// parses the specs that it needs.
   explicit SpecTable(bool checks) : checks_(checks) {}
   [[nodiscard]] bool checks() const { return checks_; }
 
   /// The spec, or what is wrong with the text. Valid as long as this table.
   const Outcome<MatchSpec>& parsed(const std::string& text);
 
-  /// What is wrong with the text as a version; nothing when it is one. Valid as long as this table.
+  /// The fault of the text as a version; nothing when it is a valid version. Valid as long as this
+  /// table.
   const std::optional<std::string>& version_fault(const std::string& text);
 
  private:

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "bundler/channel/index_cache.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bundler/channel/channel_index.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -55,7 +55,7 @@ bool copied_from_folder(const WantedFile& wanted, const ChannelNetwork& network,
 
 std::optional<Diagnostic> file_fault(const WantedFile& wanted, const std::filesystem::path& file) {
   if (wanted.sha256.empty() && wanted.md5.empty())
-    return wrong_file(wanted, "its channel gives no hash, so that nobody can tell");
+    return wrong_file(wanted, "its channel gives no hash, so this cannot be checked");
   const auto hashes = hash_file(file, wanted.sha256.empty());
   if (!hashes) return hashes.errors().front();
   if (wanted.size != 0 && hashes->size != wanted.size) {

@@ -13,9 +13,9 @@
 
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
-#include "bundler/plan/site_path.hpp"
-#include "bundler/render/own_site.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_list.hpp"
+#include "bundler/site/site_path.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -34,8 +34,8 @@ Outcome<Done> copy_to(const fs::path& place, const fs::path& source) {
   return Done{};
 }
 
-/// What is needed is rounded up and what is left down, so that what does not fit is seen not to
-/// fit.
+/// Rounds needed space up and free space down, so that the printed numbers show that something does
+/// not fit.
 std::string megabytes(std::uint64_t bytes, bool is_needed) {
   const std::uint64_t tenths = (bytes + (is_needed ? 99'999 : 0)) / 100'000;
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
@@ -99,7 +99,7 @@ void sweep_beside(const fs::path& clean) {
   }
 }
 
-/// What it was before stays beside the site, for links that name it. `old` is where it lies now.
+/// Keeps the previous site beside the new one, for links that name it. `old` is its folder now.
 void keep_earlier(const fs::path& old, const fs::path& site, const std::string& sha256) {
   const auto text = read_file(old / kSiteJsonName, kMostOfSiteJson);
   if (!text) return;
@@ -166,9 +166,9 @@ std::optional<Diagnostic> refuse_folder(const fs::path& folder) {
   return Diagnostic{
       .code = "R2W0601",
       .message = "`" + folder.string() + "` exists and is not a site made by ros2wasm",
-      .why = {fs::is_directory(status)
-                  ? "writing a site there would remove what is in it; it has no site.json of ours"
-                  : "it is not a folder"},
+      .why = {fs::is_directory(status) ? "writing a site there would remove what is in it; it has "
+                                         "no site.json that ros2wasm wrote"
+                                       : "it is not a folder"},
       .fix = {"choose another place with -o"}};
 }
 

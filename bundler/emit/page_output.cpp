@@ -2,9 +2,9 @@
 #include "bundler/emit/page_output.hpp"
 
 #include "bundler/io/files.hpp"
-#include "bundler/plan/site_path.hpp"
 #include "bundler/render/carried_page.hpp"
-#include "bundler/render/own_site.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_path.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ std::optional<Diagnostic> refuse_page(const fs::path& file) {
       .code = "R2W0601",
       .message = "`" + file.string() + "` exists and is not a site made by ros2wasm",
       .why = {fs::is_regular_file(status)
-                  ? "writing a site there would remove it; it is no page that carries a site"
+                  ? "writing a site there would remove it; it is not a page that carries a site"
                   : "it is not a file, and a name that ends in .html asks for one page"},
       .fix = {"choose another place with -o"}};
 }

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

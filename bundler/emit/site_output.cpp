@@ -41,7 +41,7 @@ Outcome<std::string> store_address(const std::filesystem::path& output,
         .fix = {"put the store beside the site: `-o course/lab --store course/objects`"}};
   };
   if (&form_of(output) != &kFolder)
-    return cannot("an archive or a page has all its files in it, and lies anywhere");
+    return cannot("an archive or a page has all its files in it, and can be anywhere");
   const auto site = real_path(output);
   if (!site) return site.errors();
   const auto objects = real_path(store);
@@ -54,9 +54,10 @@ Outcome<std::string> store_address(const std::filesystem::path& output,
                                   .lexically_relative((*site / "").lexically_normal().parent_path())
                                   .generic_string();
   if (!is_store_address(address)) {
-    return cannot("seen from the site it is `" + address +
-                  "`; a store lies outside of its sites and they outside of it, in folders whose "
-                  "names have letters, digits, `.`, `_` and `-`");
+    return cannot(
+        "seen from the site it is `" + address +
+        "`; a store must be outside of its sites and they outside of it, in folders whose "
+        "names have letters, digits, `.`, `_` and `-`");
   }
   return address;
 }

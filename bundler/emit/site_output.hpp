@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -20,7 +20,7 @@ namespace ros2wasm {
 [[nodiscard]] Outcome<std::string> may_write(const std::filesystem::path& output,
                                              const std::filesystem::path& store, bool plan_only);
 
-/// What emit_folder(), emit_zip() or emit_page() says.
+/// Writes the site with emit_folder(), emit_zip() or emit_page(), with their errors.
 [[nodiscard]] Outcome<Done> emit_site(const SitePlan& plan, const std::filesystem::path& output,
                                       const Cancellation& cancellation);
 

@@ -5,15 +5,16 @@
 
 #include "bundler/archive/zip_writer.hpp"
 #include "bundler/io/files.hpp"
-#include "bundler/plan/site_path.hpp"
-#include "bundler/render/own_site.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_list.hpp"
+#include "bundler/site/site_path.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// Of a member and of the whole, with room for the directory; and of members.
+/// The limit in bytes for a member and for the archive, with room for the directory, and the limit
+/// on the number of members.
 constexpr std::uint64_t kMostBytes = 4'000'000'000;
 constexpr std::size_t kMostMembers = 65'000;
 
@@ -34,10 +35,10 @@ std::optional<Diagnostic> refuse_zip(const fs::path& file) {
   return Diagnostic{
       .code = "R2W0601",
       .message = "`" + file.string() + "` exists and is not a site made by ros2wasm",
-      .why =
-          {fs::is_regular_file(status)
-               ? "writing a site there would remove it; it does not begin with a site.json of ours"
-               : "it is not a file, and a name that ends in .zip asks for an archive"},
+      .why = {fs::is_regular_file(status)
+                  ? "writing a site there would remove it; it does not begin with a site.json that "
+                    "ros2wasm wrote"
+                  : "it is not a file, and a name that ends in .zip asks for an archive"},
       .fix = {"choose another place with -o"}};
 }
 

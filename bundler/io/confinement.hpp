@@ -1,5 +1,5 @@
-// What this process gives up for ever, as does all that it becomes or starts. For child programs
-// that run code of strangers.
+// Rights that this process gives up for good, as do the programs that it executes or starts. For
+// child programs that run untrusted code.
 #pragma once
 
 namespace ros2wasm {

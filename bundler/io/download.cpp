@@ -7,7 +7,7 @@
 #include <random>
 
 #include "bundler/io/files.hpp"
-#include "workspace_schema/secret_text.hpp"
+#include "workspace_schema/base/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -18,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLongestPauseMs = 20'000;
 constexpr std::size_t kMostAtOnce = 32;
 
-Diagnostic network_error(std::string code, std::string message, const std::string& why) {
-  return Diagnostic{.code = std::move(code),
+Diagnostic network_error(DiagnosticCode code, std::string message, const std::string& why) {
+  return Diagnostic{.code = code,
                     .kind = FailureKind::kEnvironment,
                     .message = std::move(message),
                     .why = {with_masked_secrets(why)}};
@@ -152,7 +152,7 @@ struct Downloader::State {
         return network_error("R2W0236", at + " leads to too many or to other kinds of addresses",
                              answer.reason);
       case HttpFailure::kAddress:
-        return network_error("R2W0203", at + " is no address of the web", answer.reason);
+        return network_error("R2W0203", at + " is not an http(s) URL", answer.reason);
       case HttpFailure::kDisk:
         return cannot_write(task.download.file, answer.disk_errno);
       case HttpFailure::kTooLarge:

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bundler/io/http_client.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -42,8 +42,8 @@ struct Download {
   std::function<std::optional<Diagnostic>(const std::filesystem::path&)> fault;
 };
 
-/// What a server said of a file: 200 it is there now, 304 not changed, 404 or 410 there is none.
-/// 401 and 403 are handed on, since some servers answer so for files that are not there.
+/// The answer of a server for a file: 200 the file is there now, 304 not changed, 404 or 410 there
+/// is no such file. 401 and 403 are passed on, since some servers answer so for missing files.
 struct Downloaded {
   int status = 0;
   std::string etag;

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -15,8 +15,8 @@ class FileLock {
   /// Waits for other processes. R2W0211 the file cannot be made or locked.
   [[nodiscard]] static Outcome<FileLock> take(const std::filesystem::path& file,
                                               const Cancellation& cancellation);
-  /// Of a folder that is there; nothing when another process has it, or it is not there.
-  /// `is_shared`: others may have it in this way too.
+  /// Locks an existing folder; nothing when another process has the lock, or the folder is missing.
+  /// `is_shared`: others may have a shared lock too.
   [[nodiscard]] static std::optional<FileLock> of_folder(const std::filesystem::path& folder,
                                                          bool is_shared = false);
   /// Waits until nobody has the folder, or with `is_shared` until nobody has it alone. Nothing

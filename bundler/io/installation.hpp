@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

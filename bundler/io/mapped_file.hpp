@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <string_view>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
-/// What tells one state of a file from the next: who writes it renames it into place or at least
-/// changes its time.
+/// Distinguishes one state of a file from the next: a writer renames a new file into place or at
+/// least changes its time.
 struct FileIdentity {
   std::uint64_t size = 0;
   std::int64_t modified_ns = 0;

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -18,7 +18,7 @@ class PartFile {
   PartFile& operator=(PartFile&& other) noexcept;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// What is in it may be the beginning of the file.
+  /// True when its contents may be the beginning of the file.
   [[nodiscard]] bool resumable() const { return fd_ >= 0; }
   /// Gives it its place. R2W0211.
   [[nodiscard]] Outcome<Done> finish(const std::filesystem::path& place);

@@ -131,7 +131,7 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
   }
 }
 
-/// What a child writes to and reads from; -1: as this process has it, or /dev/null to read from.
+/// The file descriptors of a child; -1: that of this process, or /dev/null for `in`.
 struct Streams {
   int in = -1;
   int out = -1;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bundler/io/files.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <set>
 
+#include "bundler/build/cached_configure.hpp"
+#include "bundler/build/cached_header.hpp"
 #include "bundler/build/compiler_warnings.hpp"
 #include "bundler/build/diagnostic_json.hpp"
-#include "bundler/build/kept_configure.hpp"
-#include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/link_trace.hpp"
@@ -18,8 +18,8 @@
 #include "bundler/io/process.hpp"
 #include "bundler/languages/c_messages.hpp"
 #include "bundler/languages/language.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/replaced_text.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -129,7 +129,7 @@ class NinjaProgress {
   std::string pending_;
 };
 
-/// What a tool said, and that a signal ended it: then it may have said nothing.
+/// The output of a tool, and a line when a signal ended it: then the output may be empty.
 std::string told(const ProcessResult& result, const PackageBuild& request, const fs::path& read) {
   return for_people(result.output, request, read) + said_of_signal(result);
 }
@@ -140,7 +140,7 @@ std::vector<std::string> configure_arguments(const PackageBuild& request, const 
   std::vector<std::string> arguments = {
       "cmake", "-S", from.string(), "-B", request.work.string(), "-G", "Ninja", "-Wno-dev",
       "--no-warn-unused-cli",
-      // kept_configure.hpp says when; times of files may lie.
+      // cached_configure.hpp says when; times of files may lie.
       "-DCMAKE_SUPPRESS_REGENERATION=ON", "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
       "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes), "-DROS2WASM_CLI=" + tools.cli.string(),
       "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
@@ -211,7 +211,7 @@ Outcome<fs::path> configure(const PackageBuild& request, const BuildTools& tools
   return errors;
 }
 
-/// What the link driver left, in the order of the files' names.
+/// The findings that the link driver wrote, in the order of the files' names.
 std::vector<LinkFindings> link_findings(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -238,13 +238,13 @@ std::vector<MissingHeader> headers_of_nobody(std::string_view ninja_output,
   return std::move(*missing);
 }
 
-/// What programs of a package need and no site has.
+/// The needs of programs of a package that no site can meet.
 struct ProgramLacks {
   std::vector<MissingHeader> headers;
   std::vector<LinkFindings> limits;  ///< each with R2W0523 alone, and warnings
 };
 
-/// When nothing else is wrong with the package; else nothing.
+/// The lacks, when nothing else is wrong with the package; else nothing.
 std::optional<ProgramLacks> lacks_of(std::string_view ninja_output, bool has_compile_errors,
                                      const std::vector<LinkFindings>& links,
                                      const PackageBuild& request) {
@@ -264,7 +264,7 @@ std::optional<ProgramLacks> lacks_of(std::string_view ninja_output, bool has_com
   return result;
 }
 
-/// What the commands of this run and of earlier ones said, for the package's findings.
+/// Stores the findings of the commands of this run and of earlier runs for the package.
 Outcome<Done> remember_findings(std::string_view ninja_output,
                                 const std::vector<LinkFindings>& links,
                                 const PackageBuild& request) {

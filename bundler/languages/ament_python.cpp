@@ -8,9 +8,9 @@
 #include "bundler/build/source_tree.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
+#include "bundler/io/python_sandbox.hpp"
 #include "bundler/languages/language.hpp"
-#include "bundler/launch/python_sandbox.hpp"
-#include "bundler/launch/python_tree.hpp"
+#include "bundler/workspace/python_tree.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <array>
 #include <regex>
 
-#include "bundler/build/kept_work.hpp"
+#include "bundler/build/cached_work.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 

@@ -7,6 +7,11 @@
 namespace ros2wasm {
 namespace {
 
+struct Language {
+  std::string_view build_type;
+  PackageBuilder* build;
+};
+
 constexpr auto kLanguages = std::to_array<Language>({
     {.build_type = "ament_cmake", .build = build_with_cmake},
     {.build_type = "ament_python", .build = build_with_setup_py},
@@ -15,11 +20,11 @@ constexpr auto kLanguages = std::to_array<Language>({
 
 }  // namespace
 
-const Language* find_language(std::string_view build_type) {
+PackageBuilder* builder_of(std::string_view build_type) {
   const auto found = std::find_if(kLanguages.begin(), kLanguages.end(), [&](const Language& row) {
     return row.build_type == build_type;
   });
-  return found == kLanguages.end() ? nullptr : found;
+  return found == kLanguages.end() ? nullptr : found->build;
 }
 
 std::vector<std::string> known_build_types() {

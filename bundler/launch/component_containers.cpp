@@ -18,7 +18,7 @@ constexpr std::string_view kContainerPackage = "rclcpp_components";
 /// Each package with components has all of them.
 constexpr std::string_view kContainers[] = {"component_container", "component_container_mt",
                                             "component_container_isolated"};
-constexpr const char* kCode = "R2W0417";
+constexpr DiagnosticCode kCode = "R2W0417";
 
 void add_words(const LaunchComponent& component, const std::vector<FileRules>& files,
                std::vector<std::string>& words) {
@@ -54,7 +54,7 @@ Outcome<ContainerProcess> container_process(const LaunchProcess& container,
                       .why = {"a site loads them into the containers of rclcpp_components only"}};
   }
   if (container.components.empty())
-    warn("`" + name + "` is left out of the site", "no component is loaded into it");
+    warn("`" + name + "` is skipped", "no component is loaded into it");
   const bool is_known = std::find(std::begin(kContainers), std::end(kContainers),
                                   node.executable.value) != std::end(kContainers);
   if (!is_known)

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bundler/launch/launch_description.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -29,7 +29,8 @@ std::optional<std::size_t> fits(std::string_view pattern, char c) {
   return found != inverted ? std::optional(close + 1) : std::nullopt;
 }
 
-/// Of one name. A later `*` never needs what an earlier one took, so only the last is tried again.
+/// Matches one name. A later `*` never needs the characters of an earlier one, so only the last one
+/// is tried again.
 bool matches(std::string_view pattern, std::string_view name) {
   if (name.starts_with('.') && !pattern.starts_with('.')) return false;
   std::size_t p = 0;

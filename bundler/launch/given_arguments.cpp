@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bundler/launch/launch_description.hpp"
-#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
 
 namespace ros2wasm {
 

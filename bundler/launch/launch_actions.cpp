@@ -5,10 +5,10 @@
 
 #include "bundler/launch/launch_evaluator.hpp"
 #include "bundler/launch/node_arguments.hpp"
-#include "workspace_schema/source_text.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/yaml_reader.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -70,12 +70,14 @@ void LaunchEvaluator::declare_argument(const LaunchEntity& entity) {
     if (is_given)
       why.push_back("it is declared in " + entity.span.file + ":" +
                     std::to_string(entity.span.line));
-    fail("R2W0412", "`" + argument.value + "` is no value of the launch argument `" + *name + "`",
+    fail("R2W0412",
+         "`" + argument.value + "` is not a value of the launch argument `" + *name + "`",
          is_given ? place->second : entity.span, std::move(why));
     return;
   }
   scope_.configurations[*name] = argument.value;
-  // What an include sets is decided; only what comes from outside is an argument of the whole.
+  // A value that an include sets is fixed; only values from outside are arguments of the whole
+  // launch.
   const bool is_other = given == given_.end() || given->second != argument.value;
   const bool from_include =
       set != scope_.configurations.end() && is_other && open_files_.size() > 1;

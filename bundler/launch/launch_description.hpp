@@ -1,5 +1,5 @@
-// What a launch file comes to: processes with all that was decided for them, launch arguments, what
-// is said and when, what a site cannot start. Plain values, each with its place in the source.
+// The result of a launch file: processes with their final settings, launch arguments, messages and
+// their times, and parts that a site cannot start. Plain values, each with its place in the source.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_step.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -60,7 +60,7 @@ struct LaunchLine {
   SourceSpan span;
 };
 
-/// What stands in the file and does not run in a site.
+/// A part of the file that does not run in a site.
 struct LaunchLeftOut {
   std::string what;     ///< "rviz2 (package rviz2)", or a command line
   std::string instead;  ///< what stands in for it, or why it cannot run; a sentence's end

@@ -1,5 +1,5 @@
-// What the two frontends make of a launch file: tags with attributes and children, the same whether
-// it was written in XML or in YAML. Plain values; nothing is evaluated here.
+// The tree that both frontends build from a launch file: tags with attributes and children, the
+// same for XML and YAML. Plain values; nothing is evaluated here.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
 
 namespace ros2wasm {
 

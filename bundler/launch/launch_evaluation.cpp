@@ -9,7 +9,7 @@
 #include "bundler/launch/launch_evaluator.hpp"
 #include "bundler/launch/launch_frontends.hpp"
 #include "bundler/launch/launch_values.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 
@@ -44,7 +44,7 @@ std::string plain_tag(std::string_view tag) {
   return result;
 }
 
-/// A part of an action, which is no action itself.
+/// A part of an action, which is not an action itself.
 struct PartRow {
   std::string_view tag;
   Names attributes;
@@ -164,7 +164,7 @@ LaunchEvaluator::LaunchEvaluator(const LaunchWorld& world,
 
 void LaunchEvaluator::file(const std::string& path, const std::optional<SourceSpan>& from) {
   const std::string shown = world_.shown_path(path);
-  const auto refuse = [&](const char* code, std::string message, std::vector<std::string> why) {
+  const auto refuse = [&](DiagnosticCode code, std::string message, std::vector<std::string> why) {
     Diagnostic error{
         .code = code, .message = std::move(message), .span = from, .why = std::move(why)};
     errors_.push_back(std::move(error));
@@ -213,7 +213,7 @@ bool LaunchEvaluator::comes_later(const std::string& path, const std::optional<S
        .message = "`" + world_.shown_path(path) + "` is not seen before the workspace is built",
        .span = from,
        .why = {"the sources have no such file in that place; what it "
-               "says is left out here"}});
+               "says is skipped here"}});
   return true;
 }
 
@@ -466,7 +466,7 @@ double LaunchEvaluator::seconds(const LaunchEntity& entity, std::string_view nam
   return otherwise;
 }
 
-void LaunchEvaluator::fail(const char* code, std::string message, const SourceSpan& span,
+void LaunchEvaluator::fail(DiagnosticCode code, std::string message, const SourceSpan& span,
                            std::vector<std::string> why) {
   errors_.push_back(
       {.code = code, .message = std::move(message), .span = span, .why = std::move(why)});

@@ -41,7 +41,7 @@ class LaunchEvaluator {
   friend struct LaunchActionRow;
   using Entities = std::vector<LaunchEntity>;
 
-  /// What is done when a process starts or ends.
+  /// The actions to do when a process starts or ends.
   struct EventHandler {
     LaunchEntity entity;
     LaunchFilePlace place;
@@ -112,7 +112,7 @@ class LaunchEvaluator {
   void container(const LaunchEntity& entity);
   void load_components(const LaunchEntity& entity);
   void executable(const LaunchEntity& entity);
-  // Of launch files in Python only.
+  // Actions of launch files in Python only.
   void python(const LaunchEntity& entity);
   void unset_variable(const LaunchEntity& entity);
   void push_variables(const LaunchEntity& entity);
@@ -145,14 +145,14 @@ class LaunchEvaluator {
   bool flag(const LaunchEntity& entity, std::string_view name, bool otherwise);
   /// A list, or a text with separators as `<name>_sep` says.
   std::vector<std::string> list(const LaunchEntity& entity, const std::string& name);
-  /// Of what Python numbers; -1 without the attribute.
+  /// The number that Python gave an object; -1 without the attribute.
   static std::int64_t number(const LaunchEntity& entity, std::string_view name);
   double seconds(const LaunchEntity& entity, std::string_view name, double otherwise);
   std::optional<ParameterValue> value(const LaunchAttribute& attribute, const std::string& type,
                                       const std::string& separator);
   std::optional<std::vector<std::string>> command_line(const LaunchEntity& entity,
                                                        std::string_view name);
-  void fail(const char* code, std::string message, const SourceSpan& span,
+  void fail(DiagnosticCode code, std::string message, const SourceSpan& span,
             std::vector<std::string> why = {});
 
   LaunchWorld world_;

@@ -10,7 +10,7 @@
 #include "bundler/launch/launch_evaluator.hpp"
 #include "bundler/launch/lifecycle_transitions.hpp"
 #include "bundler/launch/node_arguments.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -115,7 +115,8 @@ void LaunchEvaluator::pass_over(const LaunchEntity& entity) {
   description_.left_out.push_back(std::move(one));
 }
 
-/// Of whom nobody says what happens to it, or what nobody can decide before it happens.
+/// Reports a handler as unsupported: a site cannot observe its event, or the event is over before
+/// the site runs.
 void LaunchEvaluator::leave_out(const EventHandler& handler, const std::string& kind) {
   LaunchLeftOut one{.what = "what follows when ",
                     .instead = "a site's launch follows single processes",
@@ -128,7 +129,7 @@ void LaunchEvaluator::leave_out(const EventHandler& handler, const std::string& 
     one.instead = "files are included before the site runs";
   } else if (kind == "transition") {
     one.what += "a node changes its state";
-    one.instead = "it is no LifecycleNode that the site runs";
+    one.instead = "it is not a LifecycleNode that the site runs";
   } else {
     one.what += "another action is done";
   }
@@ -195,7 +196,7 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
                              .once = flag(entity, "once", false),
                              .handler = once_of_several(entity)};
   } else {
-    // What no site runs is over as soon as it would have begun.
+    // A process that no site runs ends as soon as it would have started.
     trigger_ = passed->second.on;
     after_s_ = passed->second.after_s;
   }
@@ -231,8 +232,8 @@ std::int64_t LaunchEvaluator::once_of_several(const LaunchEntity& entity) const 
   return of_several_once_.contains(called) ? called : -1;
 }
 
-/// Of a handler that is followed once, and chose several processes whose start it looks at, the one
-/// that starts first is left; which of several ends first, a run shows.
+/// A handler that runs once may wait for the start of several processes: keep only the one that
+/// starts first. Which of several processes ends first is only known at run time.
 void LaunchEvaluator::choose_first_starts() {
   std::map<std::int64_t, std::vector<std::size_t>> all;
   for (std::size_t i = 0; i < handlers_.size(); ++i)
@@ -262,7 +263,7 @@ void LaunchEvaluator::choose_first_starts() {
   handlers_ = std::move(kept);
 }
 
-/// What a function does with lines of which its tests, four values each, say so.
+/// Adds the actions of a function for printed lines that pass its tests. A test is four values.
 void LaunchEvaluator::when_printed(const LaunchEntity& entity) {
   const LaunchAttribute* tests = entity.attribute("tests");
   const auto* values = std::get_if<std::vector<LaunchScalar>>(&tests->value);
@@ -288,7 +289,7 @@ void LaunchEvaluator::end_process(const LaunchEntity& entity) {
   description_.ends.push_back({.on = trigger_, .after_s = after_s_, .span = entity.span});
 }
 
-/// What no site runs is over already.
+/// Drops the ends of processes that no site runs: they are over already.
 void LaunchEvaluator::resolve_ends() {
   std::vector<LaunchEnd> known;
   for (std::size_t i = 0; i < description_.ends.size(); ++i) {
@@ -309,7 +310,8 @@ bool LaunchEvaluator::starts_here(const LaunchEntity& entity, const std::string&
   return false;
 }
 
-/// Of the process that a launch file in Python names by its number, or of nodes by their names.
+/// Changes the state of the process that a launch file in Python names by its number, or of nodes
+/// by their names.
 void LaunchEvaluator::change_state(const LaunchEntity& entity) {
   std::vector<std::int64_t> transitions;
   for (const std::string& one : list(entity, "transition_ids")) {
@@ -387,8 +389,8 @@ void LaunchEvaluator::resolve_transitions() {
   description_.transitions = std::move(known);
 }
 
-/// What one handler starts may be what another one looks at. Whose process never comes, a condition
-/// left out.
+/// A process that one handler starts may be the target of another, so repeat until nothing changes.
+/// A handler whose process never starts, since a condition is false, has no effect.
 void LaunchEvaluator::events() {
   choose_first_starts();
   std::vector<EventHandler> of_any;
@@ -407,7 +409,7 @@ void LaunchEvaluator::events() {
       }
     }
   }
-  // What they start themselves starts once, whoever the next one is.
+  // These handlers do not apply to processes that they start themselves.
   const std::size_t processes = description_.processes.size();
   for (const EventHandler& handler : of_any) follow_any(handler, processes);
 }

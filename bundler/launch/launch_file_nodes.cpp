@@ -7,8 +7,8 @@
 
 #include "bundler/launch/component_containers.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
-#include "bundler/launch/left_out.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -82,7 +82,7 @@ std::vector<LaunchStep> steps_of(const LaunchDescription& description, const Mom
   }
   for (const LaunchTransitions& one : description.transitions) {
     const LaunchNode* node = moments.node(*one.process);
-    if (node == nullptr) continue;  // it is left out, and said so
+    if (node == nullptr) continue;  // it is skipped, and said so
     LaunchStep step;
     step.kind = LaunchStepKind::kTransition;
     step.node = node->id;

@@ -8,8 +8,8 @@
 #include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_scope.hpp"
-#include "bundler/launch/left_out.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/launch/unsupported_programs.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -17,14 +17,14 @@ struct LaunchFileNodes {
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
   Diagnostics warnings;                   ///< R2W0412, R2W0415
-  std::vector<StandInPanel> panels;       ///< that do the work of what is left out
+  std::vector<StandInPanel> panels;       ///< that do the work of what is skipped
   std::vector<std::string> remarks;       ///< what the file logs
   std::vector<std::string> files;         ///< that were read, as launch files see them
   std::vector<LaunchArgument> arguments;  ///< that can be given, each once
 };
 
 /// `path`, `given` and `from` as evaluate_launch() takes them. What no site can start, such as
-/// rviz2, is left out with a warning (R2W0415). Errors of the launch files, and of nodes as in
+/// rviz2, is skipped with a warning (R2W0415). Errors of the launch files, and of nodes as in
 /// launch_nodes().
 [[nodiscard]] Outcome<LaunchFileNodes> launch_file_nodes(
     const std::string& path, const std::map<std::string, std::string>& given,

@@ -3,10 +3,10 @@
 
 #include <utility>
 
-#include "workspace_schema/source_text.hpp"
-#include "workspace_schema/xml_reader.hpp"
-#include "workspace_schema/yaml_reader.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/base/xml_reader.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -153,7 +153,7 @@ Outcome<LaunchEntity> read_yaml_launch(std::string_view text, const std::string&
       root.entries.front().key != "launch")
     return not_a_launch_file("a launch file in YAML has one key, `launch`",
                              source.span(root.range.offset, root.range.length),
-                             "below it stands a list of actions, such as `- node: {...}`");
+                             "below it is a list of actions, such as `- node: {...}`");
   YamlEntities entities(source);
   LaunchEntity result =
       entities.entity("launch", root.entries.front().key_range, root.entries.front().value);

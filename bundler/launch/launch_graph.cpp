@@ -5,8 +5,8 @@
 
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -18,17 +18,16 @@ const InstalledPackage* find_package(const std::vector<InstalledPackage>& instal
   return found == installed.end() ? nullptr : &*found;
 }
 
-/// The error of a node whose package is left out, if it is.
+/// The error of a node whose package is skipped, if it is.
 std::optional<Diagnostic> left_out_package(const NodeEntry& entry, const LeftOutChains& left_out) {
   const auto chain = left_out.find(entry.package.value);
   if (chain == left_out.end()) return std::nullopt;
   const auto& causes = chain->second;
-  return Diagnostic{
-      .code = "R2W0401",
-      .message = "package `" + entry.package.value + "` is left out of the site: " + causes.back(),
-      .span = entry.package.span,
-      .label = "this node needs it",
-      .why = causes.size() == 1 ? std::vector<std::string>() : causes};
+  return Diagnostic{.code = "R2W0401",
+                    .message = "package `" + entry.package.value + "` is skipped: " + causes.back(),
+                    .span = entry.package.span,
+                    .label = "this node needs it",
+                    .why = causes.size() == 1 ? std::vector<std::string>() : causes};
 }
 
 Diagnostic no_such_package(const NodeEntry& entry) {
@@ -84,7 +83,7 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
           ? place + " is not executable, so `ros2 run` and launch files do not find it"
       : program.left_out.empty()
           ? place + " is neither a WebAssembly program nor a Python script"
-          : "it was left out of the build: it needs " + program.left_out + ", which no site has";
+          : "it was skipped: it needs " + program.left_out + ", which no site has";
   return Diagnostic{
       .code = "R2W0405",
       .message = "`" + program.executable + "` of package `" + program.package +
@@ -97,7 +96,8 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
                  : std::vector<std::string>()};
 }
 
-/// What the packages lack whose components are to be in a container too: they have one themselves.
+/// Errors for the other packages whose components a container needs: each must have a container
+/// program itself.
 Diagnostics other_containers(const NodeEntry& entry, const std::vector<InstalledPackage>& installed,
                              const ParameterFiles& parameter_files, const LeftOutChains& left_out) {
   std::vector<NodeEntry> others;

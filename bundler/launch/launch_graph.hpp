@@ -1,4 +1,4 @@
-// What runs in the site: one entry per process, with its place in the source. Pure values.
+// The processes of the site: one entry each, with its place in the source. Pure values.
 #pragma once
 
 #include <cstdint>
@@ -10,37 +10,12 @@
 
 #include "bundler/launch/launch_step.hpp"
 #include "bundler/launch/node_arguments.hpp"
-#include "bundler/workspace/left_out.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/workspace/installed_tree.hpp"
+#include "bundler/workspace/skipped_packages.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
-
-/// What a site can run.
-enum class ProgramKind {
-  kNone,     ///< a script or data that is no program of a site
-  kWasm,     ///< a WebAssembly program
-  kPython,   ///< a Python script
-  kCommand,  ///< a command of `ros2`, for which there is no file
-};
-
-/// A file in lib/<package>/ of an installed tree that a node entry can name.
-struct InstalledProgram {
-  std::string package;
-  std::string executable;  ///< name without `.wasm`
-  std::filesystem::path file;
-  ProgramKind kind = ProgramKind::kNone;
-  std::string left_out;         ///< the library without which it was not built; mostly empty
-  bool may_not_be_run = false;  ///< a Python script that is not executable
-};
-
-struct InstalledPackage {
-  std::string name;
-  std::string version;                     ///< as package.xml or the channel says; may be empty
-  std::filesystem::path prefix;            ///< share/<name> is below
-  std::vector<InstalledProgram> programs;  ///< sorted by executable
-  std::vector<std::string> in_bin = {};    ///< programs where ROS does not look, sorted
-};
 
 struct LaunchNode {
   std::string id;  ///< `<executable>-<n>`, as ros2 launch names processes
@@ -78,7 +53,7 @@ using ParameterFiles = std::map<std::string, std::string>;
                                            const std::vector<std::string>& packages,
                                            const LeftOutChains& left_out = {});
 
-/// What the parameter files of an entry say, in its order. Errors of these files.
+/// The rules in the parameter files of an entry, in its order. Errors of these files.
 [[nodiscard]] Outcome<std::vector<FileRules>> file_rules(const NodeEntry& entry,
                                                          const ParameterFiles& parameter_files);
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

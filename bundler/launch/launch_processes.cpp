@@ -8,8 +8,8 @@
 #include "bundler/launch/launch_values.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/ros2_command.hpp"
-#include "workspace_schema/names.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/names.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -37,7 +37,7 @@ class Words {
       }
     }
   }
-  /// What a substitution came to is never divided.
+  /// The result of a substitution is never split into words.
   void whole(const std::string& text) {
     word_ += text;
     begun_ = true;
@@ -442,7 +442,7 @@ void LaunchEvaluator::resolve_components() {
 }
 
 /// `ros2 run` and the path of an installed program start a node, other commands of `ros2` run as
-/// they are; all else is left out.
+/// they are; all else is skipped.
 void LaunchEvaluator::executable(const LaunchEntity& entity) {
   auto words = command_line(entity, "cmd");
   if (!words || words->empty()) return;

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <utility>
 
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/source_text.hpp"
-#include "workspace_schema/yaml_reader.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr const char* kCode = "R2W0416";
+constexpr DiagnosticCode kCode = "R2W0416";
 constexpr const char* kTalk = "what Python says of a launch file";
 constexpr int kDeepest = 64;
 
@@ -96,7 +96,7 @@ std::string refusal(const Diagnostics& errors) {
   return refusal(why);
 }
 
-/// What Python asks while it runs.
+/// Answers a question that Python asks while it runs.
 std::string reply(const std::string& text, const PythonMoment& moment) {
   const auto asked = parse_json(text, kTalk, kCode);
   if (!asked) return refusal(asked.errors());

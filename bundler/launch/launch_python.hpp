@@ -22,7 +22,7 @@ struct PythonMoment {
   std::function<void(LaunchLine)> said = {};
 };
 
-/// What running some Python came to. Changes of variables are of the whole process.
+/// The result of running some Python. Changes of variables are for the whole process.
 struct PythonActions {
   LaunchEntity root;  ///< its children are the actions
   std::map<std::string, std::string> configurations;
@@ -34,7 +34,7 @@ struct PythonActions {
 [[nodiscard]] Outcome<PythonActions> load_python_launch(const std::string& path,
                                                         const PythonMoment& moment);
 
-/// What the function of that number gives back where the evaluation is.
+/// The actions that the function of that number returns at the current point of the evaluation.
 [[nodiscard]] Outcome<PythonActions> call_python_launch(std::int64_t number,
                                                         const PythonMoment& moment);
 

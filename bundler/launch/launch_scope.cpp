@@ -8,11 +8,11 @@
 #include "bundler/launch/launch_python.hpp"
 #include "bundler/launch/launch_values.hpp"
 #include "bundler/launch/node_arguments.hpp"
-#include "bundler/launch/python_expression.hpp"
-#include "bundler/launch/xacro.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/text_pattern.hpp"
-#include "workspace_schema/trimmed_text.hpp"
+#include "bundler/launch/python/python_expression.hpp"
+#include "bundler/launch/xacro/xacro.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -33,7 +33,7 @@ struct Call {
 };
 using Result = Outcome<std::string>;
 
-Diagnostic fault(const Call& call, const char* code, std::string message,
+Diagnostic fault(const Call& call, DiagnosticCode code, std::string message,
                  std::vector<std::string> why = {}) {
   return {.code = code, .message = std::move(message), .span = call.span, .why = std::move(why)};
 }
@@ -104,7 +104,7 @@ Result loop_value(const Call& call) {
   return looked_up(call, call.scope.loop, "value of the loop");
 }
 
-/// Of an event, what a text can be written with before it happens.
+/// A value of an event, if a text can use it before the event happens.
 Result event_value(const Call& call) {
   const std::string& name = call.arguments[0];
   if (const auto found = call.scope.event.find(name); found != call.scope.event.end())
@@ -161,7 +161,7 @@ Result evaluated(const Call& call) {
     std::erase(modules, ' ');
     if (modules != "math")
       return fault(call, "R2W0411", "`$(eval)` has the module math only, not `" + modules + "`",
-                   {"an expression with spaces stands in quotes: `$(eval '1 + 2')`"});
+                   {"an expression with spaces must be in quotes: `$(eval '1 + 2')`"});
   }
   return evaluate_python(call.arguments[0], call.span);
 }
@@ -237,7 +237,7 @@ Result command(const Call& call) {
 }
 
 Result find_executable(const Call& call) {
-  // What stands for these is not run either; the words are known.
+  // ros2wasm handles these commands itself and runs no program, so the name is enough.
   for (const std::string_view known : {std::string_view("cat"), std::string_view("ros2"), kXacro})
     if (call.arguments[0] == known) return call.arguments[0];
   return fault(call, "R2W0414",
@@ -390,7 +390,7 @@ Result evaluate_call(const LaunchCall& called, const SourceSpan& span, const Lau
                       : row->most == kMany    ? " or more"
                                               : " to " + std::to_string(row->most)) +
                      " arguments, found " + std::to_string(arguments.size()),
-                 called.name == "eval" ? Texts{"an expression with spaces stands in quotes: "
+                 called.name == "eval" ? Texts{"an expression with spaces must be in quotes: "
                                                "`$(eval '1 + 2')`"}
                                        : Texts());
   }

@@ -1,4 +1,4 @@
-// What substitutions can see: variables, the environment, the files of packages. Values, but for
+// The context of substitutions: variables, the environment, the files of packages. Values, but for
 // LaunchWorld, through which the caller lets files in.
 #pragma once
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bundler/launch/launch_text.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -27,15 +27,16 @@ struct LaunchWorld {
   std::function<std::optional<std::string>(const std::string& package)> prefix_of;
   std::map<std::string, std::string> environment;     ///< of every process of the site
   std::map<std::string, std::string> variables = {};  ///< what the manifest sets beside these
-  /// What is in a folder, sorted; nothing when it is none.
+  /// The names in a folder, sorted; empty when the path is not a folder.
   std::function<std::vector<std::string>(const std::string& folder)> names_in = {};
   /// How messages name a file; empty: by its path.
   std::function<std::string(const std::string& path)> shown = {};
   /// Whether a file that cannot be read now may be there when the site is packed; empty: none.
   std::function<bool(const std::string& path)> is_later = {};
-  /// Told of a file that is passed over because it may be there later; empty: nobody is.
+  /// Called for a file that is skipped because it may be there later; may be empty.
   std::function<void(const std::string& path, const SourceSpan& from)> note_later = {};
-  /// Where launch arguments were given, by name; of those that stand in no file, nothing.
+  /// The places where launch arguments were given, by name; none for arguments that are not in a
+  /// file.
   std::map<std::string, SourceSpan> given_at = {};
   LaunchPython python = {};  ///< empty: launch files in Python cannot be read
 
@@ -54,7 +55,7 @@ struct LaunchParameter {
   std::optional<Spanned<std::string>> file;  ///< instead of name and value
 };
 
-/// What a group gives back at its end.
+/// The state that a group restores at its end.
 struct LaunchScope {
   std::map<std::string, std::string> configurations;
   std::map<std::string, std::string> environment;  ///< what the file sets

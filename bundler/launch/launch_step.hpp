@@ -1,5 +1,5 @@
-// What the launcher of a site does beside starting nodes, and when: the data that evaluation, plan
-// and site.json share. Plain values.
+// The steps of the launcher of a site other than starting nodes, and their times: the data that
+// evaluation, plan and site.json share. Plain values.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/diagnostic.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 
-/// What another process does, after which something is done; or all processes, at the launch's end.
+/// An event of another process that triggers a step; kShutdown is the end of the whole launch.
 enum class LaunchEvent { kStart, kExit, kTransition, kOutput, kShutdown };
 
 /// One thing that a line of a process is or is not.
@@ -29,10 +29,11 @@ struct LaunchOutput {
   std::vector<LaunchLineTest> tests;
 };
 
-/// In what is said of a line: where it will stand. printed_text.py and launch_steps.ts know it too.
+/// The placeholder for the printed line in a message. printed_text.py and launch_steps.ts know it
+/// too.
 constexpr std::string_view kPrintedLine = "\u2039what it prints\u203a";
 
-/// In what is said at the end of all: where its reason will stand. events/__init__.py and
+/// The placeholder for the reason in a message at the end of the launch. events/__init__.py and
 /// launch_steps.ts know it too.
 constexpr std::string_view kShutdownReason = "\u2039why all ends\u203a";
 

@@ -225,7 +225,7 @@ void write_trigger(JsonWriter& json, const char* key, const LaunchTrigger& trigg
   json.end_object();
 }
 
-/// Of a step: when it is done, and where it stands.
+/// Writes when a step is done, and its place in the source.
 void write_moment(JsonWriter& json, const auto& step) {
   if (step.on) write_trigger(json, "on", *step.on);
   json.key("after").number(step.after_s);
@@ -295,7 +295,7 @@ std::vector<std::string> launch_tree(const LaunchDescription& description) {
   for (const LaunchShutdown& one : description.shutdowns)
     lines.push_back("all ends: " + one.reason + at(one));
   for (const LaunchLeftOut& one : description.left_out)
-    lines.push_back("left out: " + one.what + " (" + one.instead + ")  [" + place(one.span) + "]");
+    lines.push_back("skipped: " + one.what + " (" + one.instead + ")  [" + place(one.span) + "]");
   return lines;
 }
 

@@ -1,11 +1,12 @@
-// What a launch file comes to, for people (a tree) and for programs (JSON, docs/launch.md). Pure.
+// Prints the result of a launch file, for people (a tree) and for programs (JSON, docs/launch.md).
+// Pure.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "bundler/launch/launch_description.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 

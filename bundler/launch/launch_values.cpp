@@ -5,10 +5,10 @@
 
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
-#include "workspace_schema/text_pattern.hpp"
-#include "workspace_schema/trimmed_text.hpp"
-#include "workspace_schema/yaml_reader.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -68,7 +68,7 @@ Outcome<ParameterValue> as_yaml(const std::string& text, const SourceSpan& span)
   if (read) keep_letters(read->root);
   const auto value = read && read->problems.empty() ? parameter_value(read->root) : std::nullopt;
   if (value) return *value;
-  return fault("`" + text.substr(0, 60) + "` is no value that a parameter can have", span,
+  return fault("`" + text.substr(0, 60) + "` is not a value that a parameter can have", span,
                "it is read as YAML: a text with marks of YAML in it needs `type=\"str\"`");
 }
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "bundler/launch/launch_entity.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -17,9 +17,9 @@ namespace ros2wasm {
 /// true, false, 1, 0, on, off, yes, no in any case.
 [[nodiscard]] std::optional<bool> launch_boolean(std::string_view text);
 
-/// What a parameter's text means: as YAML reads it when `type` is empty, else as bool, int, float,
-/// str or a list_of_ one of these. A list in `text` is YAML, or has `separator` between its items.
-/// R2W0410.
+/// The value of a parameter's text: as YAML reads it when `type` is empty, else as bool, int,
+/// float, str or a list_of_ one of these. A list in `text` is YAML, or has `separator` between its
+/// items. R2W0410.
 [[nodiscard]] Outcome<ParameterValue> typed_parameter(const std::string& text,
                                                       const std::string& type,
                                                       const std::string& separator,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -20,7 +20,7 @@ struct ParameterRule {
   std::string value;  ///< YAML on one line
 };
 
-/// What one parameter file says, in its order.
+/// The rules in one parameter file, in its order.
 using FileRules = std::vector<ParameterRule>;
 
 /// Everything after argv[0]. `files` belong to the entry's parameter_files, one each. Files and

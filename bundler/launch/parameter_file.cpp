@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "bundler/launch/launch_values.hpp"
-#include "workspace_schema/source_text.hpp"
-#include "workspace_schema/yaml_reader.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bundler/launch/node_arguments.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/yaml_reader.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
 
 namespace ros2wasm {
 

@@ -122,7 +122,7 @@ bool PythonRecord::fits(std::size_t number, const Question& asked,
   });
 }
 
-/// One that this evaluation has not had, if there is one.
+/// A matching exchange, preferably one that this evaluation has not used yet.
 std::optional<std::size_t> PythonRecord::known(const Question& asked, const Evaluation& evaluation,
                                                bool exactly) const {
   const auto places = places_.find({asked.kind, asked.subject});
@@ -142,7 +142,7 @@ std::string PythonRecord::answered(std::size_t number, const Question& asked,
   const PythonExchange& exchange = exchanges_[number];
   evaluation.used.insert(number);
   if (asked.kind != "read") evaluation.last = number;
-  // What it logs is said again; other questions change nothing.
+  // Ask its questions again: log messages must be printed again, other questions change nothing.
   for (const std::string& one : exchange.asked) static_cast<void>(reply(one));
   const auto& before = questions_[number].configurations;
   if (asked.kind == "read" || before == asked.configurations) return exchange.answer;

@@ -1,5 +1,5 @@
-// What launch files in Python answered when the site was packed, so that the same questions need no
-// Python when it starts. Pure: values, and a function that is given.
+// The answers of launch files in Python when the site was packed, so that the same questions need
+// no Python when the site starts. Pure: values, and a function that is passed in.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bundler/launch/launch_scope.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 
@@ -71,7 +71,7 @@ class PythonRecord {
   std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> places_;
 };
 
-/// A list of these; and back, where what is none of ours is left out.
+/// A list of these; and back, where what is none of ours is skipped.
 void write_python_exchanges(JsonWriter& json, const std::vector<PythonExchange>& exchanges);
 [[nodiscard]] std::vector<PythonExchange> read_python_exchanges(const JsonValue* json);
 

@@ -23,7 +23,7 @@ namespace ros2wasm {
 /// For people: a line that a shell would split into these words.
 [[nodiscard]] std::string shown_command(const std::vector<std::string>& words);
 
-/// What does the work of a command that no site runs; the end of a sentence.
+/// The replacement for a command that no site runs, as the end of a sentence.
 [[nodiscard]] std::string_view instead_of_command(const std::vector<std::string>& words);
 
 }  // namespace ros2wasm

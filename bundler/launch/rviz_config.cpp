@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <span>
 
-#include "workspace_schema/source_text.hpp"
-#include "workspace_schema/yaml_reader.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,4 +1,4 @@
-// What a configuration of rviz2 displays, and what of it the page's 3D view shows. Pure.
+// The displays of a configuration of rviz2, and which of them the page's 3D view shows. Pure.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 namespace ros2wasm {
 
 /// Names of displays, each with its topic when it has one: "LaserScan (/scan)". Those that are not
-/// enabled are left out.
+/// enabled are skipped.
 struct RvizDisplays {
   std::vector<std::string> shown;
   std::vector<std::string> elsewhere;  ///< in another panel of the page
   std::vector<std::string> missing;
 };
 
-/// Empty for what is no such file.
+/// Empty when the text is not such a file.
 [[nodiscard]] RvizDisplays rviz_displays(std::string_view text);
 
 }  // namespace ros2wasm

@@ -8,7 +8,7 @@
 
 #include "bundler/archive/zip_writer.hpp"
 #include "bundler/io/sha256.hpp"
-#include "bundler/launch/import_check.hpp"
+#include "bundler/launch/host/import_check.hpp"
 
 namespace ros2wasm {
 namespace {

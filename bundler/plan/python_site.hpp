@@ -6,24 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "bundler/launch/python_tree.hpp"
-#include "bundler/launch/share_tree.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "bundler/workspace/installed_tree.hpp"
+#include "bundler/workspace/python_tree.hpp"
+#include "bundler/workspace/share_tree.hpp"
 
 namespace ros2wasm {
-
-/// Interface definitions by type: "std_msgs/msg/String" -> text.
-using InterfaceTexts = std::map<std::string, std::string>;
 
 /// Pyodide's wasm file in a site: the program of every Python node.
 inline constexpr const char* kPythonProgram = "pyodide/pyodide.asm.wasm";
 
-/// What Python nodes find installed.
+/// The files that Python nodes find installed.
 struct PythonInput {
   PythonFiles pyodide;    ///< by name
   PythonFiles channels;   ///< modules and scripts of the packages of channels
   PythonFiles wheels;     ///< of the manifest
   PythonFiles workspace;  ///< and of the workspace's
-  /// What of the latter the workspace has: path as installed -> path in the workspace.
+  /// The files of `workspace` with a source in the workspace: installed path -> path in the
+  /// workspace.
   std::map<std::string, std::string> sources;
 };
 
@@ -31,13 +31,6 @@ struct PythonSiteFile {
   std::string path;
   std::string reason;
   std::string bytes;
-};
-
-/// A Python file of the workspace that the page shows, and of which visitors may try other texts.
-struct PlannedSource {
-  std::string path;  ///< in what is installed
-  std::string file;  ///< in the workspace
-  std::string sha256;
 };
 
 /// Where the bytes of all of them lie in the site.

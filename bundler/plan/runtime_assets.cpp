@@ -6,8 +6,8 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "bundler/plan/site_component.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "bundler/site/site_component.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/plan/plan_site.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
-/// Of the file that says what the others are made of. It is in no site as it is.
+/// The role of the file that lists the components of the others. No site has this file itself.
 inline constexpr std::string_view kComponentsRole = "components";
 
 /// The role of the script of a course's page, which is in no site.
@@ -22,8 +22,8 @@ inline constexpr std::string_view kCourseScriptRole = "course_script";
 [[nodiscard]] Outcome<std::vector<RuntimeAsset>> read_runtime_assets(
     const std::filesystem::path& list);
 
-/// What these are made of, ros2wasm and packages of npm, and then `others`. R2W0604 they do not say
-/// it.
+/// The components of these assets, ros2wasm and packages of npm, and then `others`. R2W0604 when
+/// the assets do not list them.
 [[nodiscard]] Outcome<std::vector<SiteComponent>> with_runtime_components(
     const std::vector<RuntimeAsset>& assets, std::vector<SiteComponent> others);
 

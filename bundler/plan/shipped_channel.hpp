@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/plan/plan_site.hpp"
 #include "bundler/store/store.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {

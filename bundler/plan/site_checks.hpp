@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bundler/launch/launch_graph.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

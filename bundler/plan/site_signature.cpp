@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bundler/io/sha256.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/site_list.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "bundler/plan/site_plan.hpp"
-#include "bundler/verify/signature.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "bundler/site/signature.hpp"
 
 namespace ros2wasm {
 

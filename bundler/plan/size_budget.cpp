@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bundler/archive/deflate.hpp"
-#include "workspace_schema/byte_size.hpp"
+#include "workspace_schema/base/byte_size.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -39,8 +39,8 @@ std::uint64_t size_in(const PartSizes& sizes, const std::string& part) {
   return found == sizes.end() ? 0 : found->second;
 }
 
-/// What is larger than `before`, the largest growth first, each in a line that begins with a
-/// newline.
+/// The parts that are larger than `before`, the largest growth first, one a line; each line begins
+/// with a newline.
 std::string table(const PartSizes& now, const PartSizes& before) {
   struct Row {
     std::string part;

@@ -1,4 +1,4 @@
-// What the parts of a site weigh, and whether that is within the budget of the manifest. Pure.
+// The sizes of the parts of a site, and whether they are within the budget of the manifest. Pure.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/plan/plan_site.hpp"
 
 namespace ros2wasm {
 
@@ -15,16 +15,17 @@ namespace ros2wasm {
 /// `lists`.
 using PartSizes = std::map<std::string, std::uint64_t>;
 
-/// Of all files but those with names of functions, which no visit loads, and the channel beside it.
+/// The sizes of all files, without those with names of functions, which no visit loads, and without
+/// the channel beside the site.
 [[nodiscard]] PartSizes part_sizes(const SitePlan& plan);
 
-/// What a server with gzip sends for the same files, each once.
+/// The bytes that a server with gzip sends for the same files, each once.
 [[nodiscard]] std::uint64_t compressed_size(const SitePlan& plan);
 
 /// The text of `ros2wasm.sizes`: a line for each part, in order.
 [[nodiscard]] std::string sizes_text(const PartSizes& sizes);
 
-/// Of such a text; lines that say nothing of the kind, such as those of a merge, are passed over.
+/// Reads such a text. Other lines, such as conflict marks of a merge, are skipped.
 [[nodiscard]] PartSizes read_sizes(std::string_view text);
 
 /// R2W0660 with what grew since `before`, and without it with what is largest.

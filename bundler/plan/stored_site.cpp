@@ -14,8 +14,8 @@ namespace ros2wasm {
 namespace {
 
 constexpr const char* kPage = "index.html";
-/// What browsers ask for by its place in the site, or what names others by theirs: the app's start
-/// page and icon stand in its manifest.
+/// Files that browsers request by their place in the site, and files that name others by their
+/// place: the app's manifest names the start page and the icon.
 constexpr std::array<std::string_view, 4> kBesideFiles{"app.webmanifest", "icon.svg", kPage,
                                                        "service_worker.js"};
 /// It is asked for before site.json is read.
@@ -54,7 +54,7 @@ std::string placed_page(std::string page, const SitePlan& plan) {
       result += line;
       continue;
     }
-    // What lies in parts is asked for part by part.
+    // A file in parts is requested part by part.
     for (const std::string& place : found->second)
       result += line.substr(0, begin) + html_text(place) + line.substr(close);
   }
@@ -94,7 +94,7 @@ Diagnostics split_files(SitePlan& plan, std::uint64_t most_bytes) {
           .code = "R2W0617",
           .message = "`" + file.path + "` has " + std::to_string(file.bytes.size()) +
                      " bytes, more than --max-file-size",
-          .why = {is_whole ? "browsers load it by themselves, so it cannot lie in parts"
+          .why = {is_whole ? "browsers load it by themselves, so it cannot be split into parts"
                            : "the site has a file of the name that its first part would have"},
           .fix = {"ask for a higher ceiling, or for a host that has one"}});
       continue;

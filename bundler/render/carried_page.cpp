@@ -7,13 +7,11 @@
 #include "bundler/io/base64.hpp"
 #include "bundler/render/html_text.hpp"
 #include "bundler/render/site_json.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/site_list.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr std::string_view kDoctype = "<!doctype html>\n";
-constexpr std::string_view kMark = "<!-- site of ";
 constexpr std::string_view kOpen = "\n<script type=\"application/octet-stream\" data-path=\"";
 constexpr std::string_view kBetween = "\">";
 constexpr std::string_view kClose = "</script>";
@@ -32,22 +30,18 @@ std::string carried_page(const SitePlan& plan) {
   std::string page = plan.carried_page;
   page.insert(std::min(page.size(), page.rfind("</body>")), files + "\n");
   const std::string generator = std::string(kSiteGenerator) + " " ROS2WASM_VERSION;
-  page.insert(kDoctype.size(), carried_page_mark(generator, plan.sha256));
+  page.insert(kCarriedPageDoctype.size(), carried_page_mark(generator, plan.sha256));
   return page;
 }
 
 std::string carried_page_mark(const std::string& generator, const std::string& hash) {
-  return std::string(kMark) + generator + ", sha256 " + hash + " -->\n";
-}
-
-bool is_carried_page(std::string_view page) {
-  return page.starts_with(std::string(kDoctype) + std::string(kMark) + std::string(kSiteGenerator));
+  return std::string(kCarriedPageMark) + generator + ", sha256 " + hash + " -->\n";
 }
 
 Outcome<CarriedPage> read_carried_page(std::string_view page, const std::string& shown) {
   CarriedPage read;
   const std::size_t line_end =
-      is_carried_page(page) ? page.find('\n', kDoctype.size()) : page.size();
+      is_carried_page(page) ? page.find('\n', kCarriedPageDoctype.size()) : page.size();
   const std::size_t begin = page.find(kOpen, std::min(line_end, page.size()));
   std::size_t at = begin;
   while (at != std::string_view::npos && page.substr(at).starts_with(kOpen)) {
@@ -69,8 +63,8 @@ Outcome<CarriedPage> read_carried_page(std::string_view page, const std::string&
                       .message = "`" + shown + "` is not a site that ros2wasm wrote",
                       .why = {"a page that carries a site has its site.json before other files"},
                       .fix = {}};
-  read.mark = page.substr(kDoctype.size(), line_end + 1 - kDoctype.size());
-  read.bare.append(kDoctype).append(page.substr(line_end + 1, begin - line_end - 1));
+  read.mark = page.substr(kCarriedPageDoctype.size(), line_end + 1 - kCarriedPageDoctype.size());
+  read.bare.append(kCarriedPageDoctype).append(page.substr(line_end + 1, begin - line_end - 1));
   read.bare.append(page.substr(at + 1));
   return read;
 }

@@ -7,16 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
 /// `plan.carried_page` with the plan's files in it, site.json first.
 [[nodiscard]] std::string carried_page(const SitePlan& plan);
-
-/// By its first lines.
-[[nodiscard]] bool is_carried_page(std::string_view page);
 
 /// The line that says which site it is.
 [[nodiscard]] std::string carried_page_mark(const std::string& generator, const std::string& hash);

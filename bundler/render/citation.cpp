@@ -4,8 +4,8 @@
 #include <map>
 
 #include "bundler/render/spdx_expression.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/trimmed_text.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -42,7 +42,7 @@ std::string author_id(const Author& author, std::size_t index) {
                               : "https://orcid.org/" + author.orcid;
 }
 
-/// What the graph says of the license: an address of SPDX's list, or an entity of its own.
+/// The id of the license in the graph: an address in SPDX's list, or an entity of its own.
 std::string license_id(const Manifest& manifest) {
   const auto expression = spdx_expression(manifest.license);
   if (expression && is_spdx_identifier(*expression))

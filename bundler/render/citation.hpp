@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

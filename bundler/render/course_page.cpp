@@ -7,9 +7,9 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/html_text.hpp"
 #include "bundler/render/site_json.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/names.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/names.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -165,14 +165,14 @@ Outcome<CourseList> read_course_list(std::string_view text, const std::string& s
                          .sha256 = one.text_of("sha256")});
     // Also no path: it names a folder of the course.
     if (workspace_name_fault(list.labs.back().name))
-      return no_course(shown, "`" + list.labs.back().name + "` is no name of a lab");
+      return no_course(shown, "`" + list.labs.back().name + "` is not a name of a lab");
   }
   for (const JsonValue& one : files->items()) {
     const JsonValue* size = one.find("size");
     const auto bytes = size == nullptr ? std::nullopt : size->unsigned_integer();
     list.files.push_back(one.text_of("path"));
     if (!bytes || workspace_name_fault(list.files.back()))
-      return no_course(shown, "`" + list.files.back() + "` is no file of a course");
+      return no_course(shown, "`" + list.files.back() + "` is not a file of a course");
     list.sizes.push_back({.size = *bytes, .sha256 = one.text_of("sha256")});
   }
   if (list.labs.empty()) return no_course(shown, "it lists no labs");

@@ -1,17 +1,16 @@
-// What a course has beside its labs: the page that lists them, and course.json. Pure.
+// The files of a course beside its labs: the page that lists them, and course.json. Pure.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/course.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/site/site_file.hpp"
+#include "bundler/site/site_names.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/course.hpp"
 
 namespace ros2wasm {
-
-inline constexpr const char* kCourseJsonName = "course.json";
 
 /// A lab that is packed.
 struct PackedLab {

@@ -1,7 +1,7 @@
 // See interfaces_json.hpp.
 #include "bundler/render/interfaces_json.hpp"
 
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 

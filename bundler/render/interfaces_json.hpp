@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/workspace/installed_tree.hpp"
 
 namespace ros2wasm {
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "bundler/render/spdx_expression.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -141,7 +141,7 @@ std::string spdx_document(const Manifest& manifest, const std::vector<SiteCompon
   json.end_array().key("relationships").begin_array();
   write_relationship(json, "SPDXRef-DOCUMENT", "DESCRIBES", ids.front());
   for (std::size_t i = 1; i < ids.size(); ++i) {
-    // Of a channel's package a site may have a part, compiled in.
+    // A site may contain only a part of a channel's package, compiled into programs.
     const bool whole = components[i - 1].kind != ComponentKind::kConda;
     write_relationship(json, ids.front(), whole ? "CONTAINS" : "DEPENDS_ON", ids[i]);
   }

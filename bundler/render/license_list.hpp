@@ -1,12 +1,12 @@
-// What a site is made of and under which licenses, for people and for machines. Pure.
+// The components of a site and their licenses, for people and for machines. Pure.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bundler/plan/site_component.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "bundler/site/site_component.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

@@ -1,8 +1,8 @@
-// See packed_launch_json.hpp. The keys are read by bundler/launch/launch_start.cpp.
+// See packed_launch_json.hpp. The keys are read by bundler/render/launch_start.cpp.
 #include "bundler/render/packed_launch_json.hpp"
 
 #include "bundler/launch/node_arguments.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

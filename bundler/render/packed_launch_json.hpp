@@ -1,11 +1,11 @@
-// launch.json: a launch file for bundler/launch/launch_start.hpp. Pure.
+// launch.json: a launch file for bundler/render/launch_start.hpp. Pure.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "bundler/launch/packed_launch.hpp"
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/render/site_plan.hpp"
 
 namespace ros2wasm {
 

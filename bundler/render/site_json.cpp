@@ -5,8 +5,8 @@
 #include "bundler/launch/launch_tree.hpp"
 #include "bundler/render/citation.hpp"
 #include "bundler/render/site_node_json.hpp"
-#include "workspace_schema/check_json.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/schema/check_json.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -171,7 +171,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
     json.end_object();
   }
   json.field("interfaces", "interfaces.json");
-  // Of the page of `pack -o NAME.html` without the files, for `ros2wasm verify`.
+  // The hash of the page of `pack -o NAME.html` without the files, for `ros2wasm verify`.
   json.field("carried_page_sha256", sha256_hex(plan.carried_page));
   if (plan.launch) write_launch(json, *plan.launch);
   json.key("packages").begin_array();

@@ -3,12 +3,11 @@
 
 #include <string>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "bundler/site/site_names.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
-
-inline constexpr std::string_view kSiteGenerator = "ros2wasm";
 
 /// Lists the plan's files; site.json itself is not among them.
 [[nodiscard]] std::string site_json(const Manifest& manifest, const SitePlan& plan);

@@ -56,7 +56,7 @@ void write_step(JsonWriter& json, const LaunchStep& step) {
   json.end_object();
 }
 
-/// What runs, whatever starts it.
+/// The program of a node, however it is started.
 void write_program(JsonWriter& json, const PlannedNode& planned) {
   if (planned.node.kind == ProgramKind::kCommand) {
     json.field("kind", "command");

@@ -1,14 +1,14 @@
 // The nodes of site.json. Pure.
 #pragma once
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 
 void write_site_node(JsonWriter& json, const PlannedNode& planned);
 
-/// Of a program that nothing starts: what is needed to run it.
+/// Writes a program that nothing starts: the fields that are needed to run it.
 void write_site_program(JsonWriter& json, const PlannedNode& planned);
 
 /// The field `steps`.

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "workspace_schema/text_pattern.hpp"
-#include "workspace_schema/trimmed_text.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, 5> kExceptions{"Classpath-exception-2.0",
                                                       "GCC-exception-3.1", "LLVM-exception",
                                                       "OpenSSL-exception", "eCos-exception-2.0"};
 
-/// What people write, in lower case, and what it is.
+/// License texts that people write, in lower case, and their SPDX identifiers.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kOtherWords{{
     {"apache license 2.0", "Apache-2.0"},
     {"apache license, version 2.0", "Apache-2.0"},

@@ -1,8 +1,8 @@
 // See web_manifest.hpp.
 #include "bundler/render/web_manifest.hpp"
 
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/replaced_text.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
 
 namespace ros2wasm {
 

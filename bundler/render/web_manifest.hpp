@@ -1,5 +1,5 @@
-// What browsers need to install a site as an app: the runtime's app.webmanifest with the site's
-// title.
+// The file that browsers need to install a site as an app: the runtime's app.webmanifest with the
+// site's title.
 #pragma once
 
 #include <string>

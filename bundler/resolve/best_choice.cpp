@@ -10,7 +10,7 @@
 
 #include "bundler/resolve/consequences.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -69,7 +69,8 @@ class Walk {
   void begin_round(std::vector<RequirementId> requirements) {
     std::sort(requirements.begin(), requirements.end());
     requirements.erase(std::unique(requirements.begin(), requirements.end()), requirements.end());
-    // What was taken in earlier rounds stays as long as this round.
+    // Packages that earlier rounds took stay during this round, so requirements that they serve are
+    // met.
     std::erase_if(requirements, [this](RequirementId one) { return is_served(one); });
     std::sort(requirements.begin(), requirements.end(), [this](RequirementId a, RequirementId b) {
       return universe_.requirement(a).text < universe_.requirement(b).text;

@@ -1,4 +1,4 @@
-// Of all solutions, the one that the documented order prefers (docs/solving.md). Pure.
+// The solution that the documented order prefers among all solutions (docs/solving.md). Pure.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "bundler/resolve/search_budget.hpp"
 #include "bundler/resolve/universe.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

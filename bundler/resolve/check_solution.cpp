@@ -5,7 +5,7 @@
 
 #include "bundler/resolve/solve.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
-#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 namespace ros2wasm {
 namespace {

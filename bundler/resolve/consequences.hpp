@@ -1,6 +1,6 @@
-// What follows from choosing candidates one after the other: others that must be there, others that
-// cannot be. A dead end takes decisions back and is remembered, so that the same way into it is
-// not gone again (conflict-driven clause learning). Pure.
+// The consequences of choosing candidates one after the other: others that must be there, others
+// that cannot be. A dead end takes decisions back and is remembered, so that the search does not
+// reach it again in the same way (conflict-driven clause learning). Pure.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {

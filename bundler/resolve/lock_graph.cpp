@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 namespace ros2wasm {
 

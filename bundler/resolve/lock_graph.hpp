@@ -1,4 +1,4 @@
-// Who needs whom among chosen packages. Pure; for `tree` and `why`.
+// The graph of dependencies between chosen packages. Pure; for `tree` and `why`.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 
@@ -25,12 +25,12 @@ class LockGraph {
   [[nodiscard]] std::size_t size() const { return lock_.packages.size(); }
   /// By name; letter case does not count.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
-  /// What the package needs, by name, each once; virtual packages are left out.
+  /// The packages that the package needs, by name, each once; virtual packages are skipped.
   [[nodiscard]] const std::vector<LockEdge>& needs(std::size_t i) const { return needs_[i]; }
-  /// What was asked for, by name.
+  /// The packages that the request names, by name.
   [[nodiscard]] const std::vector<LockEdge>& roots() const { return roots_; }
-  /// One shortest chain from what was asked for to the package; from each root that leads to it.
-  /// The first edge of a chain is a root. Empty: nothing needs it.
+  /// From each root that leads to the package, one shortest chain to it. The first edge of a chain
+  /// is a root. Empty: nothing needs it.
   [[nodiscard]] std::vector<std::vector<LockEdge>> chains_to(std::size_t package) const;
 
  private:

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "bundler/io/files.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -37,8 +37,8 @@ bool by_name(const PackageRecord& a, const PackageRecord& b) {
   return a.name < b.name;
 }
 
-/// What would be another package; both are sorted by name. That the request or the channels are
-/// written in other words is no change.
+/// The packages that would differ; both lists are sorted by name. A request or channels in other
+/// words are not a change.
 std::vector<std::string> changes_of(const std::vector<PackageRecord>& locked,
                                     const std::vector<PackageRecord>& chosen) {
   std::vector<std::string> changes;

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "bundler/resolve/solve.hpp"
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 
 inline constexpr const char* kLockFileName = "ros2wasm.lock";
 
-/// What is chosen anew although the lock has it.
+/// The packages that are chosen again although the lock has them.
 struct LockUpdate {
   bool everything = false;
   std::vector<std::string> names;
@@ -30,7 +30,7 @@ struct LockUpdate {
 /// R2W0330 there is none, R2W0310 it is damaged, R2W0210.
 [[nodiscard]] Outcome<Lock> read_lock_file(const std::filesystem::path& file);
 
-/// What a lock says beside the packages.
+/// The contents of a lock besides the packages.
 struct LockRest {
   std::vector<std::string> absent;  ///< as in Lock
   std::vector<LockedWheel> wheels;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/base/cancellation.hpp"
 
 namespace ros2wasm {
 

@@ -10,7 +10,7 @@
 #include "bundler/resolve/sat_engine.hpp"
 #include "bundler/resolve/universe.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -65,7 +65,7 @@ Diagnostics unknown_names(const ResolveRequest& request, const std::vector<Match
     }
     for (const LeftOutRecord& record : index.left_out) {
       if (record.file_name.starts_with(*name + "-")) {
-        error.why.push_back(record.file_name + " was left out: " + record.reason);
+        error.why.push_back(record.file_name + " was skipped: " + record.reason);
       }
     }
     if (names.empty()) names = names_there(universe, index);
@@ -167,7 +167,7 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index,
                      .why = explain(request, universe, index, conflict),
                      .fix = proven_fixes(request, *specs, universe, conflict, index, budget)};
     for (const LeftOutRecord& record : universe.unusable())
-      error.why.push_back(record.file_name + " was left out: " + record.reason);
+      error.why.push_back(record.file_name + " was skipped: " + record.reason);
     for (std::size_t i = 0; i < universe.wanted.size() && !error.span; ++i) {
       const bool involved =
           std::any_of(conflict.begin(), conflict.end(), [&](const ProofRule& rule) {

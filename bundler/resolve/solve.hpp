@@ -8,9 +8,9 @@
 
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/resolve/search_budget.hpp"
-#include "workspace_schema/diagnostic.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
@@ -45,8 +45,8 @@ struct Resolution {
 [[nodiscard]] Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index,
                                         const SearchBudget& budget = {});
 
-/// Why `packages` is no solution of `specs`: one diagnostic (R2W0311) per edge that does not hold;
-/// empty when it is one. Needs no index and no network.
+/// Why `packages` is not a solution of `specs`: one diagnostic (R2W0311) per edge that does not
+/// hold; empty when it is one. Needs no index and no network.
 [[nodiscard]] Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
                                          const std::vector<PackageRecord>& packages);
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "bundler/resolve/virtual_packages.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {

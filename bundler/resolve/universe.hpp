@@ -13,8 +13,8 @@
 
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/resolve/solve.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
@@ -28,13 +28,13 @@ struct Requirement {
   std::optional<std::string> name;  ///< nothing when the spec has a pattern there
 };
 
-/// What a requirement means in this universe.
+/// The candidates that a requirement concerns in this universe.
 struct Matches {
   std::vector<CandidateId> providers;  ///< candidates that match, best first
   std::vector<CandidateId> rivals;     ///< of the same name, but not matching
 };
 
-/// What a candidate asks of others.
+/// The requirements of a candidate.
 struct Needs {
   std::vector<RequirementId> depends;
   std::vector<RequirementId> constrains;
@@ -47,8 +47,8 @@ struct Candidate {
   const Version* version = nullptr;       ///< owned by the universe
 };
 
-/// What is said of requirements and needs is reckoned when it is asked for the first time: most
-/// requests never ask for most of it. The answers do not depend on the order of the questions.
+/// Matches and needs are computed when they are first asked for: most requests need only a few of
+/// them. The answers do not depend on the order of the questions.
 class Universe {
  public:
   std::vector<PackageRecord> virtual_records;
@@ -60,7 +60,7 @@ class Universe {
   /// The same id for the same text.
   RequirementId add_requirement(const std::string& text, const MatchSpec& spec) const;
 
-  /// Of those that were met so far; after meet_all() of all that there are.
+  /// The number of requirements that were met so far; after meet_all(), of all requirements.
   [[nodiscard]] std::size_t requirement_count() const { return requirements_.size(); }
   [[nodiscard]] const Requirement& requirement(RequirementId id) const { return requirements_[id]; }
   [[nodiscard]] const Matches& matches(RequirementId id) const;

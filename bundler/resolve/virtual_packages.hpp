@@ -1,10 +1,10 @@
-// What the platform itself brings, as packages that no channel has (CEP 30): `__unix` and
-// `__archspec` for emscripten-wasm32. Pure.
+// Features of the platform, as packages that no channel has (CEP 30): `__unix` and `__archspec` for
+// emscripten-wasm32. Pure.
 #pragma once
 
 #include <vector>
 
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
 
 namespace ros2wasm {
 

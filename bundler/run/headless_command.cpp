@@ -4,7 +4,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/io/process.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {

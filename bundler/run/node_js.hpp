@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -23,7 +23,7 @@ struct NodeJsVersion {
 /// memory, `--permission`.
 constexpr NodeJsVersion kOldestNodeJs{.major = 22, .minor = 13};
 
-/// "v26.10.0\n" -> 26, 10; nothing when it is no version.
+/// "v26.10.0\n" -> 26, 10; nothing when it is not a version.
 [[nodiscard]] std::optional<NodeJsVersion> node_js_version(std::string_view version_text);
 
 /// The Node.js that npm pinned for this installation, else `node` of PATH when it is new enough.

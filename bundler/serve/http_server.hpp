@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -1,4 +1,4 @@
-// What a file of a site is, by its name.
+// The type of a file of a site, by its name.
 #pragma once
 
 #include <string_view>

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {

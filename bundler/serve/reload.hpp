@@ -12,7 +12,7 @@
 
 namespace ros2wasm {
 
-/// What pages are told.
+/// The state that is sent to pages.
 struct SiteState {
   std::string version;   ///< changes when the site's bytes change
   std::string problems;  ///< why the last pack failed, as text for people; empty when it did not

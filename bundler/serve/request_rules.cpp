@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "workspace_schema/trimmed_text.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,4 +1,4 @@
-// What the parts of a request mean: path, host, conditions, ranges. Pure.
+// The meaning of the parts of a request: path, host, conditions, ranges. Pure.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ struct RangeResult {
   ByteRange range;  ///< of kPart
 };
 
-/// What a `Range` header asks of `size` bytes. Several ranges and other units get the whole, as RFC
-/// 9110 allows.
+/// The part of `size` bytes that a `Range` header requests. Several ranges and other units get the
+/// whole, as RFC 9110 allows.
 [[nodiscard]] RangeResult range_of(std::string_view header, std::uint64_t size);
 
 }  // namespace ros2wasm

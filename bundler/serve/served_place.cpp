@@ -7,9 +7,9 @@
 #include "bundler/emit/folder_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "bundler/plan/site_place.hpp"
-#include "bundler/render/own_site.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_list.hpp"
+#include "bundler/site/site_place.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -83,7 +83,7 @@ Found find_served(const ServedPlace& place, const std::string& path) {
   if (path.starts_with(place.address))
     return find_within(place.folder, std::string_view(path).substr(place.address.size()));
   if (path + "/" == place.address) return find_within(place.folder, "");
-  // What is left are earlier packs beside the site.
+  // The remaining addresses are earlier packs beside the site.
   const std::string name = place.folder.filename().string();
   const std::string beside = place.address.substr(0, place.address.size() - name.size() - 1);
   if (!path.starts_with(beside)) return {};

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
 
 namespace ros2wasm {
 

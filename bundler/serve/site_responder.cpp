@@ -9,14 +9,14 @@
 #include <array>
 #include <cstdio>
 
-#include "bundler/emit/precompressed.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "bundler/render/own_site.hpp"
 #include "bundler/serve/mime_types.hpp"
 #include "bundler/serve/request_rules.hpp"
 #include "bundler/serve/site_policy.hpp"
-#include "bundler/verify/site_list.hpp"
+#include "bundler/site/own_site.hpp"
+#include "bundler/site/site_list.hpp"
+#include "bundler/verify/compressed_forms.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -141,7 +141,8 @@ HttpResponse file_response(const HttpRequest& request, const std::filesystem::pa
   return response;
 }
 
-/// What differs in watch mode: the start page has the reload script, and site.json its new hash.
+/// The responses that differ in watch mode: the start page has the reload script, and site.json its
+/// new hash.
 std::optional<HttpResponse> watched_response(const SiteServing& serving, const std::string& path) {
   if (!serving.place.address.empty()) return std::nullopt;
   const bool description = path == "site.json";

@@ -7,7 +7,7 @@
 #include "bundler/serve/http_server.hpp"
 #include "bundler/serve/reload.hpp"
 #include "bundler/serve/served_place.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

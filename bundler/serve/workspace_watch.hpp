@@ -23,7 +23,7 @@ struct FileMark {
 using WorkspaceMarks = std::map<std::string, FileMark>;
 
 /// `roots` are files and folders. Hidden folders, folders that hold COLCON_IGNORE (as colcon's
-/// build, install and log do) and `ignored` ones are left out; links to folders are followed, each
+/// build, install and log do) and `ignored` ones are skipped; links to folders are followed, each
 /// folder once.
 [[nodiscard]] WorkspaceMarks workspace_marks(const std::vector<std::filesystem::path>& roots,
                                              const std::vector<std::filesystem::path>& ignored);

@@ -8,35 +8,35 @@
 
 namespace ros2wasm {
 
-/// Part of every hash too: raise it when the same sources shall be built anew.
+/// Part of every hash too: raise it when the same sources must be built again.
 inline constexpr const char* kBuildFormat = "6";
 
-/// Of all versions: `<cache>/build`.
+/// The folder of the builds of all versions of ros2wasm: `<cache>/build`.
 [[nodiscard]] inline std::filesystem::path build_area(const std::filesystem::path& cache) {
   return cache / "build";
 }
 
-/// Of this ros2wasm: `<cache>/build/0.1.0-5`.
+/// The folder of the builds of this version: `<cache>/build/0.1.0-5`.
 [[nodiscard]] inline std::filesystem::path build_place(const std::filesystem::path& cache) {
   return build_area(cache) / (std::string(ROS2WASM_VERSION) + "-" + kBuildFormat);
 }
 
-/// Of all versions: what launch files in Python said before. `<cache>/launch`.
+/// The cached answers of launch files in Python, of all versions: `<cache>/launch`.
 [[nodiscard]] inline std::filesystem::path launch_area(const std::filesystem::path& cache) {
   return cache / "launch";
 }
 
-/// Of this ros2wasm.
+/// The same for this version.
 [[nodiscard]] inline std::filesystem::path kept_launch_place(const std::filesystem::path& cache) {
   return launch_area(cache) / ROS2WASM_VERSION;
 }
 
-/// Of all versions: which Python texts were valid. `<cache>/python`.
+/// The cached results of Python syntax checks, of all versions: `<cache>/python`.
 [[nodiscard]] inline std::filesystem::path python_area(const std::filesystem::path& cache) {
   return cache / "python";
 }
 
-/// Of this ros2wasm.
+/// The same for this version.
 [[nodiscard]] inline std::filesystem::path kept_python_place(const std::filesystem::path& cache) {
   return python_area(cache) / ROS2WASM_VERSION;
 }

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <set>
 
+#include "bundler/channel/cached_index.hpp"
 #include "bundler/channel/index_cache.hpp"
-#include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/repodata_index.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::hours kLeftoverAge{1};
-/// Since they were last of use.
+/// The age limit, counted from the last use.
 constexpr std::chrono::hours kKeptLaunchAge{30 * 24};
 
-/// What is directly in a folder, sorted; nothing when it is not there.
+/// The direct entries of a folder, sorted; empty when the folder is missing.
 std::vector<fs::path> entries_of(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code error;
@@ -111,7 +111,7 @@ std::string fault_of_kept_index(const fs::path& file) {
   if (!mapped) return "it cannot be read";
   const auto source = kept_source(mapped->bytes());
   const auto index = source ? KeptIndex::open(mapped->bytes(), *source) : std::nullopt;
-  if (!index) return "it is damaged, or another ros2wasm kept it";
+  if (!index) return "it is damaged, or another version of ros2wasm wrote it";
   for (std::size_t name = 0; name < index->names().size(); ++name) {
     if (!index->records(name)) return "it is damaged";
   }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kOwnPlace = "set XDG_CACHE_HOME to a folder that only you can write to";
 
-/// Of the user whose rights the program has; empty when the system knows none.
+/// The home folder of the user whose rights the program has; empty when the system knows none.
 fs::path home_of_user() {
   constexpr std::size_t kMostOfEntry = std::size_t{16} << 10U;
   std::vector<char> buffer(kMostOfEntry);
@@ -62,7 +62,7 @@ Outcome<fs::path> cache_directory(const std::map<std::string, std::string>& vari
                 "folder of this user"},
         .fix = {kOwnPlace}};
   }
-  // What cannot be made is reported by whoever needs it.
+  // When the folder cannot be made, the first code that needs it reports the error.
   if (make_directories(place.parent_path())) ::mkdir(place.c_str(), 0700);
   struct stat status {};
   if (::stat(place.c_str(), &status) != 0) return place;

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "bundler/archive/package_lists.hpp"
+#include "bundler/io/cached_folder.hpp"
 #include "bundler/io/files.hpp"
-#include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/prefix_text.hpp"
 #include "bundler/store/python_packages.hpp"

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bundler/store/store.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_record.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 

@@ -5,7 +5,7 @@
 
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bundler/store/store.hpp"
-#include "workspace_schema/diagnostic.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "workspace_schema/replaced_text.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
 
 namespace ros2wasm {
 

@@ -5,7 +5,7 @@
 
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/io/files.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -16,7 +16,7 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/io/worker_pool.hpp"
 #include "bundler/store/tree_seal.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -46,12 +46,12 @@ std::string server_of(const std::string& url) {
 /// A network or a server that fails for one archive mostly fails for all of that server: that is
 /// one error.
 Diagnostics told_once(std::vector<FailedArchive> failed) {
-  constexpr std::array<std::string_view, 3> kOfServers{"R2W0232", "R2W0233", "R2W0235"};
+  constexpr std::array<DiagnosticCode, 3> kOfServers{"R2W0232", "R2W0233", "R2W0235"};
   struct Group {
     std::size_t place;  ///< of the first, in what is told
     std::size_t more = 0;
   };
-  std::map<std::pair<std::string, std::string>, Group> groups;  // by code and server
+  std::map<std::pair<DiagnosticCode, std::string>, Group> groups;  // by code and server
   Diagnostics told;
   Diagnostics others;
   for (FailedArchive& one : failed) {
@@ -87,8 +87,8 @@ WantedFile wanted_file(const PackageRecord& record, fs::path place) {
           .md5 = record.md5};
 }
 
-/// What the seal of a package has to say: what those files are to hold of which its lists say
-/// nothing. That is info/, or in old packages everything.
+/// The seal of a package: the hashes of the files that its own lists have no hashes for. These are
+/// the files in info/, or all files of old packages.
 Outcome<std::string> seal_of(const fs::path& folder) {
   const auto lists = read_package_lists(folder);
   if (!lists) return lists.errors();

@@ -11,18 +11,19 @@
 
 #include "bundler/archive/package_reader.hpp"
 #include "bundler/channel/channel_index.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_record.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 
-/// What is wrong with an unpacked package: the first file that is not what its info/paths.json
-/// lists, or an info/ that is not as it came. Empty when all are right.
+/// The fault of an unpacked package: the first file that differs from its info/paths.json, or an
+/// info/ that has changed. Empty when there is no fault.
 [[nodiscard]] std::string package_fault(const std::filesystem::path& folder);
 
-/// Beside an unpacked package: what those files of its info/ hold that nothing else says.
+/// The file beside an unpacked package with the hashes of the files in info/, which no list of the
+/// package has.
 [[nodiscard]] std::filesystem::path package_seal_place(const std::filesystem::path& folder);
 
 struct StoredArchive {

@@ -1,13 +1,13 @@
-// What is in a folder, as one text: every path with its kind and sha256. Two folders with the same
-// seal hold the same. An edge: it reads every file.
+// The contents of a folder, as one text: every path with its kind and sha256. Two folders with the
+// same seal have the same contents. An edge: it reads every file.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

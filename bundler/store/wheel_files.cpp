@@ -6,8 +6,8 @@
 
 #include "bundler/channel/verified_files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/wheel_requirement.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/conda/wheel_requirement.hpp"
 
 namespace ros2wasm {
 namespace {

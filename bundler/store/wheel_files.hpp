@@ -7,8 +7,8 @@
 
 #include "bundler/archive/wheel_reader.hpp"
 #include "bundler/channel/channel_index.hpp"
-#include "workspace_schema/lock.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/schema/lock.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -28,7 +28,7 @@ struct NamedWheel {
                                                            bool with_addresses,
                                                            const Cancellation& cancellation);
 
-/// What a lock says of them.
+/// The entries of the wheels in a lock.
 [[nodiscard]] std::vector<LockedWheel> locked_wheels(const std::vector<NamedWheel>& wheels);
 
 /// Brings those of a lock that come from addresses into the cache. Errors as above.

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
-#include "bundler/emit/precompressed.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/course_page.hpp"
-#include "bundler/verify/site_list.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
+#include "bundler/site/site_list.hpp"
+#include "bundler/verify/compressed_forms.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
+#include "bundler/site/site_list.hpp"
 #include "bundler/verify/site_diff.hpp"
-#include "bundler/verify/site_list.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

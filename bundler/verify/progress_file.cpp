@@ -10,9 +10,9 @@
 #include "bundler/io/base64.hpp"
 #include "bundler/io/ed25519.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -7,14 +7,14 @@
 #include <set>
 #include <utility>
 
-#include "bundler/emit/precompressed.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/shipped_channel.hpp"
-#include "bundler/plan/site_plan.hpp"
 #include "bundler/render/carried_page.hpp"
 #include "bundler/render/html_text.hpp"
-#include "bundler/verify/signature.hpp"
+#include "bundler/render/site_plan.hpp"
+#include "bundler/site/signature.hpp"
+#include "bundler/verify/compressed_forms.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ ListedFile listed_hash_list(const SiteList& list) {
   return {.path = kHashList, .size = text.size(), .sha256 = sha256_hex(text), .reason = {}};
 }
 
-/// Of all parts, one after the other.
+/// The hash of all parts, one after the other.
 Outcome<FileHashes> hash_parts(const std::vector<fs::path>& parts) {
   if (parts.size() == 1) return hash_file(parts.front());
   Hasher hasher;

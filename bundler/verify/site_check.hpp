@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "bundler/channel/channel_network.hpp"
-#include "bundler/verify/site_list.hpp"
-#include "workspace_schema/cancellation.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/progress_event.hpp"
+#include "bundler/site/site_list.hpp"
+#include "workspace_schema/base/cancellation.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/base/progress_event.hpp"
 
 namespace ros2wasm {
 
@@ -33,7 +33,7 @@ struct SiteCheck {
                                                    const Cancellation& cancellation,
                                                    const ProgressSink& progress);
 
-/// Of a page that `pack -o NAME.html` wrote: every file that it carries. Also R2W0202.
+/// Checks every file that is embedded in a page of `pack -o NAME.html`. Also R2W0202.
 [[nodiscard]] Outcome<SiteCheck> check_site_page(const std::filesystem::path& file,
                                                  const Cancellation& cancellation,
                                                  const ProgressSink& progress);

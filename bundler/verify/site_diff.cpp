@@ -8,7 +8,7 @@
 #include <set>
 
 #include "bundler/build/wasm_module.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -117,7 +117,7 @@ std::string in_json(const std::string& at, const JsonValue& a, const JsonValue& 
   return "`" + at + "`: " + shown(a) + ", the second has " + shown(b);
 }
 
-/// Nothing for what is no text.
+/// Nothing for what is not text.
 std::optional<std::string> in_text(std::string_view first, std::string_view second,
                                    std::size_t at) {
   if (first.find('\0') != std::string_view::npos || second.find('\0') != std::string_view::npos)
@@ -186,7 +186,7 @@ Outcome<std::vector<SiteDifference>> site_differences(const ComparedSite& first,
                                                       const ComparedSite& second) {
   std::vector<SiteDifference> result;
   if (first.list.hash == second.list.hash) return result;
-  // What only follows from the hashes of other files is no difference of its own.
+  // A difference that only follows from the hashes of other files is not reported.
   if (std::string where = first_difference(kSiteJsonName, first.description, second.description);
       !where.empty())
     result.push_back({.path = kSiteJsonName, .reason = "what runs in the site", .where = where});

@@ -1,14 +1,14 @@
-// What differs between two sites, file by file, and where in a file. Pure; bytes come through a
-// function.
+// The differences between two sites, file by file, and their places in a file. Pure; bytes come
+// through a function.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "bundler/verify/site_list.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/site/site_list.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -8,7 +8,7 @@
 
 #include "bundler/workspace/host_packages.hpp"
 #include "bundler/workspace/library_packages.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -47,7 +47,8 @@ std::string match_spec(const std::string& name, const std::vector<std::string>& 
   return spec;
 }
 
-/// What package `index` asks for among the others, by name or by group, each once and sorted.
+/// The packages among the others that package `index` needs, by name or by group, each once and
+/// sorted.
 Indices direct_needs(const std::vector<LocalPackage>& packages, std::size_t index) {
   const PackageXml& own = packages[index].xml;
   std::set<std::size_t> result;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bundler/workspace/discovery.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -17,7 +17,7 @@ struct ExternalDependency {
   std::string name;                ///< as package.xml says it
   std::string match_spec;          ///< conda: "ros-jazzy-std-msgs >=5.0"
   bool needed_to_build = false;    ///< else only when nodes run
-  bool can_be_missing = true;      ///< no package is left out for it
+  bool can_be_missing = true;      ///< no package is skipped for it
   std::vector<SourceSpan> places;  ///< where it is asked for; the first is shown
 };
 
@@ -44,8 +44,8 @@ struct BuildOrder {
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);
 
-/// What the packages want and the workspace has not, sorted by name. `left_out`: their own wishes
-/// do not count.
+/// The dependencies of the packages that are not in the workspace, sorted by name. Dependencies of
+/// the packages in `left_out` do not count.
 [[nodiscard]] std::vector<ExternalDependency> external_dependencies(
     const std::vector<LocalPackage>& packages, const std::set<std::size_t>& left_out,
     std::string_view distro);
@@ -65,7 +65,8 @@ struct KnownNames {
   std::vector<std::string> absent;  ///< of a lock: what no channel had, sorted
 };
 
-/// Is it known that nobody has a package? A lock tells of what was looked for, and of nothing else.
+/// Is it known that no channel has a package? A lock only knows about packages that were searched
+/// for.
 [[nodiscard]] bool is_absent(std::string_view package, const KnownNames& known,
                              std::string_view distro);
 
@@ -74,10 +75,9 @@ struct KnownNames {
                                                       const KnownNames& known,
                                                       std::string_view distro);
 
-/// What no channel has, each with the line that asks for it: R2W0513. Dependencies that can be
-/// missing become warnings of the same code; against a lock those that only matter when nodes run,
-/// and those that no channel had, are all that is told here, as check_solution() tells of the
-/// others.
+/// Dependencies that no channel has, each with the line that names it: R2W0513. Those that can be
+/// missing become warnings of the same code. With a lock, only those that matter when nodes run,
+/// and those that no channel had, are reported here; check_solution() reports the others.
 [[nodiscard]] Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
                                                const KnownNames& known, std::string_view distro);
 

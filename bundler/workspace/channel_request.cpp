@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
-#include "bundler/launch/python_tree.hpp"
 #include "bundler/workspace/host_packages.hpp"
 #include "bundler/workspace/library_packages.hpp"
 #include "bundler/workspace/python_modules.hpp"
-#include "workspace_schema/names.hpp"
-#include "workspace_schema/text_pattern.hpp"
+#include "bundler/workspace/python_tree.hpp"
+#include "workspace_schema/base/names.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 /// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
 /// names them.
 constexpr std::string_view kLibraryParts = "ros2wasm_std";
-/// What a C++ program has files from, whether it knows of ROS or not.
+/// The package with files that every C++ program needs, with or without ROS.
 constexpr std::string_view kCore = "ros2wasm_core";
 /// Brings Pyodide, and the kernel of notebooks.
 constexpr std::string_view kPythonClient = "rclpy";
@@ -26,8 +26,8 @@ bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }
 
-/// What CMakeLists.txt asks for, Python imports or a launch file starts, a channel has, and
-/// package.xml forgets. Where all of ROS 2 is installed nobody notices.
+/// Dependencies that CMakeLists.txt, Python imports or a launch file need, that a channel has, and
+/// that package.xml does not list. With a full installation of ROS 2 nobody notices them.
 std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
                                             const std::vector<LocalPackage>& packages,
                                             const KnownNames& known, std::string_view distro) {
@@ -46,7 +46,7 @@ std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
   for (const Spanned<std::string>& module : package.python_modules) {
     if (is_local(module.value)) continue;
     std::string name(package_of_module(module.value));
-    // Of no ROS package, but of one that is called like the module.
+    // The module is not from a ROS package, but from a package with the name of the module.
     if (!has(known.names, conda_name(name, distro)) && has(known.names, ascii_lower(name)))
       name = "python3-" + ascii_lower(name);
     uses.push_back({.value = std::move(name), .span = module.span});
@@ -61,7 +61,7 @@ std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
   return result;
 }
 
-/// What the modules that a package imports cannot do without, as far as the channels have it.
+/// Further packages that the imported modules of a package need, if the channels have them.
 std::vector<Spanned<std::string>> module_needs(const LocalPackage& package, const KnownNames& known,
                                                std::string_view distro) {
   std::vector<Spanned<std::string>> result;
@@ -94,8 +94,8 @@ Diagnostic forgotten_warning(const LocalPackage& package,
                     .fix = {"add `" + lines + "` to package.xml"}};
 }
 
-/// What was looked for in vain, as channels would have it: the names without which packages are
-/// left out, and those of the others that can be missing.
+/// Conda names that no channel has: those for which packages are skipped, and those that the other
+/// packages may lack.
 std::vector<std::string> absent_names(const std::vector<LocalPackage>& packages,
                                       const LeftOutPackages& left_out,
                                       const std::vector<ExternalDependency>& external,
@@ -113,7 +113,8 @@ std::vector<std::string> absent_names(const std::vector<LocalPackage>& packages,
   return {names.begin(), names.end()};
 }
 
-/// What runs the cells of the page's notebook, and what they import as far as the channels have it.
+/// Requests the packages that run the cells of the page's notebook, and those that the cells
+/// import, if the channels have them.
 template <typename IsLocal>
 void append_notebook(const Manifest& manifest, const std::vector<Spanned<std::string>>& modules,
                      const IsLocal& is_local, const KnownNames& known,

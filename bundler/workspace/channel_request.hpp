@@ -1,4 +1,4 @@
-// What a workspace asks of the channels. Pure.
+// The packages that a workspace requests from the channels. Pure.
 #pragma once
 
 #include <string>
@@ -7,23 +7,23 @@
 
 #include "bundler/resolve/solve.hpp"
 #include "bundler/workspace/build_order.hpp"
-#include "bundler/workspace/left_out.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "bundler/workspace/skipped_packages.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
-/// Of Python packages that have a setup.py.
+/// The build type of Python packages that have a setup.py.
 inline constexpr std::string_view kPythonBuildType = "ament_python";
 
 struct ChannelRequest {
   std::vector<RequestedSpec> specs;  ///< sorted by text, each once
-  std::vector<std::string> absent;   ///< what packages that are left out lack, sorted
+  std::vector<std::string> absent;   ///< what packages that are skipped lack, sorted
   Diagnostics warnings;              ///< wished for at run time, but in no channel
 };
 
 /// `notebook_modules`: what the code of the page's notebook imports; its packages are asked for.
 /// Dependencies of the manifest may be ROS package names; nodes may name packages that nobody
-/// lists; packages that are left out ask for nothing. R2W0513 for everything that no channel has;
+/// lists; packages that are skipped ask for nothing. R2W0513 for everything that no channel has;
 /// against a lock, what it lacks is asked for all the same.
 [[nodiscard]] Outcome<ChannelRequest> channel_request(
     const Manifest& manifest, const std::vector<LocalPackage>& packages,

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "workspace_schema/source_text.hpp"
+#include "workspace_schema/base/source_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -86,7 +86,8 @@ class Variables {
     }
   }
 
-  /// What the words from `first` on are; a variable that is not known stays as it is.
+  /// The words from `first` on, with known variables replaced by their values; an unknown variable
+  /// stays as it is.
   [[nodiscard]] Words expanded(const Words& words, std::size_t first) {
     Words result;
     for (; first < words.size(); ++first) {

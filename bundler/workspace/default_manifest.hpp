@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "bundler/launch/launch_graph.hpp"
 #include "bundler/workspace/discovery.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "bundler/workspace/installed_tree.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_xml.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
+#include "workspace_schema/schema/package_xml.hpp"
 
 namespace ros2wasm {
 
@@ -16,16 +16,16 @@ struct LocalPackage {
   /// It has no package.xml: `xml` comes from its CMakeLists.txt.
   bool is_plain_cmake = false;
   std::filesystem::path directory;  ///< absolute
-  /// What its CMakeLists.txt asks for, whether package.xml names it or not.
+  /// Packages that its CMakeLists.txt asks for, whether package.xml names them or not.
   std::vector<Spanned<std::string>> cmake_packages;
-  /// Else nothing tells what it asks CMake for.
+  /// When false, it is unknown which packages it asks CMake for.
   bool has_cmake_lists = false;
-  /// What its Python files need that neither Python nor its own folder has: top-level modules.
+  /// Top-level modules that its Python files need and that neither Python nor its own folder has.
   std::vector<Spanned<std::string>> python_modules;
   /// Modules and scripts that a node may run, sorted; not those of tests, and not setup.py.
   std::vector<std::filesystem::path> python_files;
   std::vector<std::filesystem::path> launch_files;  ///< absolute, sorted; not those of tests
-  /// What its launch files start or look up.
+  /// Packages that its launch files start or look up.
   std::vector<Spanned<std::string>> launch_packages;
 };
 

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "bundler/workspace/pixi_manifest.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/match_spec_text.hpp"
-#include "workspace_schema/yaml_reader.hpp"
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/match_spec_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -84,13 +84,13 @@ class Reader {
     if (find(root, "package") != nullptr && find(root, "metadata") != nullptr)
       return conda_lock(root);
     if (find(root, "dependencies") != nullptr) return environment_file(root);
-    return fault({0, 1}, "it is no environment.yml, pixi.toml, pixi.lock or conda-lock file");
+    return fault({0, 1}, "it is not an environment.yml, pixi.toml, pixi.lock or conda-lock file");
   }
 
  private:
   Diagnostic fault(TextRange range, const std::string& why) const {
     return Diagnostic{.code = "R2W0340",
-                      .message = "`" + source_.file() + "` cannot be taken over: " + why,
+                      .message = "`" + source_.file() + "` cannot be converted: " + why,
                       .span = source_.span(range.offset, range.length)};
   }
 
@@ -158,7 +158,7 @@ class Reader {
       record.url = text_at(item, old_form ? "url" : "conda");
       if (urls.erase(record.url) == 0) continue;
       if (!read_address(record))
-        return fault(item.range, "`" + record.url + "` is no address of an archive");
+        return fault(item.range, "`" + record.url + "` is not an address of an archive");
       record.build_number = number_at(item, "build_number");
       read_common(item, record);
       record.timestamp_ms = static_cast<std::int64_t>(number_at(item, "timestamp"));
@@ -197,7 +197,7 @@ class Reader {
       PackageRecord record{.name = text_at(item, "name"), .version = text_at(item, "version")};
       record.url = text_at(item, "url");
       if (!read_address(record))
-        return fault(item.range, "`" + record.url + "` is no address of an archive");
+        return fault(item.range, "`" + record.url + "` is not an address of an archive");
       if (const YamlNode* hash = find(item, "hash")) read_common(*hash, record);
       if (const YamlNode* dependencies = find(item, "dependencies")) {
         for (const YamlEntry& one : dependencies->entries)

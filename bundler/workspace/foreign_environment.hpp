@@ -1,4 +1,4 @@
-// What environment files of other tools ask for or have chosen: environment.yml, pixi.toml,
+// The requests and locked packages in environment files of other tools: environment.yml, pixi.toml,
 // pixi.lock and conda-lock files. Pure; a start for a workspace, never read again by `pack`.
 #pragma once
 
@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
-#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/conda/package_record.hpp"
 
 namespace ros2wasm {
 

@@ -17,7 +17,7 @@ constexpr std::string_view kTestTool = "tests run in the native build";
 constexpr std::string_view kLaunchTool = "launch descriptions are read by ros2wasm itself";
 constexpr std::string_view kCommandTool = "a command line tool, of no use in a site";
 constexpr std::string_view kWindowTool = "a program with windows; the page shows what it would";
-constexpr std::string_view kLeftOut = "what needs it is left out of a site";
+constexpr std::string_view kLeftOut = "what needs it is skipped";
 constexpr std::string_view kOwnMiddleware = "every site has its own middleware";
 
 constexpr auto kHostPackages = std::to_array<HostPackage>({

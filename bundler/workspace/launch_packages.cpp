@@ -6,12 +6,12 @@
 #include <cctype>
 #include <set>
 
-#include "workspace_schema/source_text.hpp"
+#include "workspace_schema/base/source_text.hpp"
 
 namespace ros2wasm {
 namespace {
 
-/// What stands between a word and the name of a package.
+/// The text between a word and the name of a package.
 enum class Form {
   kAssigned,  ///< `=` and a quote, or `:`
   kCalled,    ///< `(` and a quote

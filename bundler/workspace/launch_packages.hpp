@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/diagnostic.hpp"
-#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "bundler/workspace/bringup_file.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/replaced_text.hpp"
-#include "workspace_schema/text_pattern.hpp"
-#include "workspace_schema/trimmed_text.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -11,10 +11,10 @@
 #include "bundler/workspace/discovery.hpp"
 #include "bundler/workspace/foreign_environment.hpp"
 #include "bundler/workspace/manifest_draft.hpp"
-#include "workspace_schema/lock.hpp"
-#include "workspace_schema/manifest_reader.hpp"
-#include "workspace_schema/replaced_text.hpp"
-#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/schema/lock.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -196,7 +196,7 @@ Outcome<InitReport> init_from_environment(const fs::path& file, const fs::path& 
                            " dependencies, " + std::to_string(read->channels.size()) + " channels");
   if (!read->packages.empty())
     report.remarks.push_back("its lock has " + std::to_string(read->packages.size()) + " packages");
-  if (!read->left_out.empty()) report.remarks.push_back("left out: " + name_list(read->left_out));
+  if (!read->left_out.empty()) report.remarks.push_back("skipped: " + name_list(read->left_out));
   return report;
 }
 

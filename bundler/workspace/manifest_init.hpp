@@ -1,12 +1,12 @@
-// What `ros2wasm init` puts on the disk: a manifest for a workspace that is there, or a new
-// workspace from a template. Both write all of their files or none, and never over one that exists.
+// The files that `ros2wasm init` writes: a manifest for an existing workspace, or a new workspace
+// from a template. Both write all of their files or none, and never over one that exists.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
 
 namespace ros2wasm {
 

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/site/site_file.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
-/// R2W0118: one of them is not within `folder`, is not there, is no MCAP, comes twice, or all are
-/// too large. An edge: reads files.
+/// R2W0118: one of them is not within `folder`, is not there, is not a MCAP, comes twice, or all
+/// are too large. An edge: reads files.
 [[nodiscard]] Outcome<std::vector<PageFile>> read_page_bags(
     const std::filesystem::path& folder, const std::vector<Spanned<std::string>>& bags);
 

@@ -1,12 +1,12 @@
-// What files of the workspace must be to become files of the page (`ui: text:`, `ui: bags:`).
+// The conditions for files of the workspace to become files of the page (`ui: text:`, `ui: bags:`).
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -16,7 +16,7 @@ inline constexpr const char* kNotInFolder = "it is not in the folder of the mani
 [[nodiscard]] Diagnostic page_file_refused(const Spanned<std::string>& file,
                                            const std::string& path, std::string why);
 
-/// Of a normal path: is it none below its folder? Pure.
+/// True when a normalized path leads out of its folder. Pure.
 [[nodiscard]] bool leaves_folder(const std::string& path);
 
 /// Where the file really is: a regular one within the folder, whatever links lead to it. R2W0118.

@@ -8,13 +8,13 @@
 #include "bundler/workspace/page_text.hpp"
 #include "bundler/workspace/python_imports.hpp"
 #include "bundler/workspace/python_modules.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kCode = "R2W0124";
+constexpr DiagnosticCode kCode = "R2W0124";
 /// With outputs that were saved with it.
 constexpr std::size_t kMostBytes = std::size_t{8} << 20;
 constexpr std::size_t kMostCells = 1000;
@@ -59,7 +59,7 @@ std::string python_part(std::string_view source) {
 
 Diagnostic no_notebook(const std::string& file, std::string why) {
   return Diagnostic{.code = kCode,
-                    .message = "`" + file + "` is no notebook that the page can show",
+                    .message = "`" + file + "` is not a notebook that the page can show",
                     .why = {std::move(why)}};
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
-#include "workspace_schema/manifest.hpp"
-#include "workspace_schema/outcome.hpp"
+#include "bundler/site/site_file.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -18,7 +18,7 @@ struct NotebookCell {
   std::string source;      ///< of a code cell: lines for IPython only (`%`, `!`) are empty
 };
 
-/// What `text` has of nbformat 4: code cells and Markdown cells, in order.
+/// The cells of a notebook of nbformat 4: code cells and Markdown cells, in order.
 struct NotebookCells {
   std::vector<NotebookCell> code;
   std::vector<NotebookCell> markdown;

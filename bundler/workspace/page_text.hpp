@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bundler/plan/site_plan.hpp"
+#include "bundler/site/site_file.hpp"
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 
@@ -16,7 +18,7 @@ namespace ros2wasm {
 /// (`https:`, `//host`, `/root`). Pure.
 [[nodiscard]] std::vector<std::string> markdown_images(std::string_view markdown);
 
-/// What a file of the page names, from its bytes.
+/// A function that finds the images that a file of the page names, from its bytes.
 using ImagesOf = std::function<Outcome<std::vector<std::string>>(const std::string& bytes)>;
 
 /// The file, of at most `most` bytes, and the images that it names. R2W0118, as below. An edge:
@@ -26,8 +28,8 @@ using ImagesOf = std::function<Outcome<std::vector<std::string>>(const std::stri
                                                               std::size_t most,
                                                               const ImagesOf& images_of);
 
-/// The file and its images. R2W0118: one of them is not within `folder`, is not there, is no image,
-/// or all are too large. An edge: reads files.
+/// The file and its images. R2W0118: one of them is not within `folder`, is not there, is not an
+/// image, or all are too large. An edge: reads files.
 [[nodiscard]] Outcome<std::vector<PageFile>> read_page_text(const std::filesystem::path& folder,
                                                             const Spanned<std::string>& file);
 

@@ -9,8 +9,8 @@
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/source_text.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -19,7 +19,7 @@ std::string text_of(const toml::table& table, std::string_view key) {
   return table[key].value_or(std::string());
 }
 
-/// "name" and what pixi says of it as one match spec; empty for what is no conda package.
+/// "name" and what pixi says of it as one match spec; empty for what is not a conda package.
 std::string spec_of(const std::string& name, const toml::node& value) {
   if (const auto text = value.value<std::string>()) return *text == "*" ? name : name + " " + *text;
   const toml::table* fields = value.as_table();
@@ -87,10 +87,9 @@ std::size_t offset_of(std::string_view text, const toml::source_position& place)
 Outcome<ForeignEnvironment> read_pixi_manifest(std::string_view text, const std::string& file) {
   const SourceText source(text, file);
   const auto fault = [&](const toml::source_position& place, std::string_view why) {
-    return Diagnostic{
-        .code = "R2W0340",
-        .message = "`" + source.file() + "` cannot be taken over: " + std::string(why),
-        .span = source.span(offset_of(text, place), 1)};
+    return Diagnostic{.code = "R2W0340",
+                      .message = "`" + source.file() + "` cannot be converted: " + std::string(why),
+                      .span = source.span(offset_of(text, place), 1)};
   };
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) return fault(parsed.error().source().begin, parsed.error().description());

@@ -1,11 +1,11 @@
-// What a Python file imports, as far as its text tells. Pure.
+// The imports of a Python file, as far as its text tells. Pure.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/base/diagnostic.hpp"
 
 namespace ros2wasm {
 

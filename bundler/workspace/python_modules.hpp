@@ -10,8 +10,8 @@ namespace ros2wasm {
 /// The package that brings a top-level module, as package.xml names it: mostly of the same name.
 [[nodiscard]] std::string_view package_of_module(std::string_view module);
 
-/// What a module cannot do without and its package does not ask for, so that workspaces without
-/// Python need not carry it.
+/// Packages that a module needs and that its package does not depend on, so that workspaces without
+/// Python need not include them.
 [[nodiscard]] std::vector<std::string_view> needs_of_module(std::string_view module);
 
 }  // namespace ros2wasm

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bundler/launch/python_tree.hpp"
+#include "bundler/workspace/python_tree.hpp"
 
 namespace ros2wasm {
 
@@ -16,7 +16,7 @@ using PythonSources = std::map<std::string, std::string>;
 
 /// Modules and scripts of `installed` that some file at or below `places` is, byte for byte and by
 /// its name; of several the one whose path agrees longest at its end. What was made by others (the
-/// program of an entry point) and empty files are left out.
+/// program of an entry point) and empty files are skipped.
 [[nodiscard]] PythonSources python_sources(const PythonFiles& installed,
                                            const std::vector<std::filesystem::path>& places,
                                            const std::filesystem::path& workspace);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/wheel_requirement.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/wheel_requirement.hpp"
 
 namespace ros2wasm {
 namespace {

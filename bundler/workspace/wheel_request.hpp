@@ -1,4 +1,5 @@
-// What the wheels of a manifest meet, and what they ask of the channels. Pure.
+// The requirements that the wheels of a manifest meet, and those that they request from the
+// channels. Pure.
 #pragma once
 
 #include <string>

@@ -5,13 +5,13 @@
 
 #include "bundler/channel/transport.hpp"
 #include "bundler/store/cache_place.hpp"
-#include "workspace_schema/diagnostic_list.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace {
 
-/// What the manifest says of channels' addresses. The environment's alias is the manifest's
-/// default.
+/// Applies the manifest's settings for channels' addresses. The environment's alias counts when the
+/// manifest has none.
 Diagnostics use_manifest(const Manifest& manifest, ChannelRoots& roots) {
   Diagnostics errors;
   ChannelNetwork& network = roots.network;

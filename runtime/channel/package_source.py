@@ -16,7 +16,7 @@ BUILD_TAGS = ("depend", "build_depend", "buildtool_depend", "build_export_depend
 class PackageSource:
     """One folder with a package.xml. Dependencies name packages of ours only.
 
-    A library that others made has in <export> its name in channels (<conda_name>), as it is no ROS package,
+    A library that others made has in <export> its name in channels (<conda_name>), as it is not a ROS package,
     and the folders that it is packed from (<host_folder>): of this machine, or below the repository. One that a machine
     updates has no version of ours: the first line of <version_file> says it.
     <any_compiler/> marks WebAssembly that does not care which Emscripten made the rest of a site.

@@ -24,21 +24,11 @@ sys.path.insert(0, str(ROOT / "runtime" / "channel"))
 
 from fingerprint import find_compiler  # noqa: E402
 
-# The pure files of the native half; the others of these folders reach the disk, processes or channels.
-LAUNCH = (
-    "component_containers", "file_pattern", "given_arguments", "launch_actions", "launch_evaluation", "launch_events",
-    "launch_file_nodes", "launch_frontends", "launch_graph", "launch_paths", "launch_processes",
-    "launch_python", "launch_scope", "launch_start", "launch_step", "left_out", "launch_text", "launch_tree",
-    "launch_values", "node_arguments", "parameter_file", "python_arithmetic", "python_expression",
-    "python_format", "python_functions", "python_math", "python_methods", "python_parser", "python_record",
-    "python_value", "ros2_command", "rviz_config", "xacro_command", "xacro_elements", "xacro_evaluator",
-    "xacro_expansion", "xacro_macro_call", "xacro_names", "xacro_substitution", "xacro_symbols", "xacro_yaml",
-)
-SCHEMA = (
-    "json_reader", "json_writer", "names", "replaced_text", "source_text", "suggestion", "text_encoding",
-    "text_pattern", "xml_reader", "xml_writer", "yaml_reader", "yaml_scalar", "yaml_syntax_hint",
-)
-OTHER = ("bundler/render/site_node_json.cpp", "runtime/launch_evaluator/evaluator.cpp")
+# The folders of the native half that are pure, and two files of it.
+LAUNCH = ("bundler/launch", "bundler/launch/python", "bundler/launch/xacro")
+SCHEMA = ("workspace_schema/base",)
+OTHER = ("bundler/render/launch_start.cpp", "bundler/render/site_node_json.cpp",
+         "runtime/launch_evaluator/evaluator.cpp")
 # Files of a folder are compiled several at a time, in so many groups: see compile_in_groups in CMakeLists.txt.
 GROUPS = {"launch": 13, "workspace_schema": 4, "yaml-cpp": 2}
 # As templates/toolchain/ compiles programs, for one thread.
@@ -53,11 +43,15 @@ class BuildFailure(Exception):
     """What the compiler said."""
 
 
+def sources_of(folders: tuple[str, ...]) -> list[Path]:
+    return [file for folder in folders for file in sorted((ROOT / folder).glob("*.cpp"))]
+
+
 def units(debian: Path) -> dict[str, list[Path]]:
     """What is compiled at once, by name. A file's group comes of its name."""
     grouped = {
-        "launch": [ROOT / "bundler/launch" / f"{name}.cpp" for name in LAUNCH],
-        "workspace_schema": [ROOT / "workspace_schema" / f"{name}.cpp" for name in SCHEMA],
+        "launch": sources_of(LAUNCH),
+        "workspace_schema": sources_of(SCHEMA),
         "yaml-cpp": sorted((debian / "yaml-cpp/src").glob("*.cpp")),
     }
     alone = [*(ROOT / name for name in OTHER), debian / "tinyxml2/tinyxml2.cpp"]

@@ -1,5 +1,5 @@
 // The evaluation of launch files as a WebAssembly module: the native half's own code behind few
-// functions. JSON in, JSON out (bundler/launch/launch_start.hpp); of the world only what the
+// functions. JSON in, JSON out (bundler/render/launch_start.hpp); of the world only what the
 // functions that it imports bring.
 #include <emscripten.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "bundler/launch/launch_start.hpp"
+#include "bundler/render/launch_start.hpp"
 
 #define ROS2WASM_IMPORT(name) __attribute__((import_module("ros2wasm_launch"), import_name(name)))
 
@@ -41,7 +41,7 @@ std::string& reply_text() {
   return text;
 }
 
-/// Of the request that Python is at.
+/// The reply function of the request that Python handles now.
 const Reply*& current_reply() {
   static const Reply* reply = nullptr;
   return reply;
@@ -77,7 +77,7 @@ EMSCRIPTEN_KEEPALIVE char* ros2wasm_question(std::size_t size) {
   return static_cast<char*>(std::calloc(size + 1, 1));
 }
 
-/// Answers; returns how many bytes the answer has, which stands at ros2wasm_answer().
+/// Answers a question; returns the size of the answer in bytes. The text is at ros2wasm_answer().
 EMSCRIPTEN_KEEPALIVE std::size_t ros2wasm_evaluate(char* question, std::size_t size, int is_live) {
   answer() = ros2wasm::evaluate_packed_launch(std::string_view(question, size),
                                               is_live != 0 ? place() : ros2wasm::LaunchPlace{});
@@ -89,7 +89,7 @@ EMSCRIPTEN_KEEPALIVE const char* ros2wasm_answer() {
   return answer().data();
 }
 
-/// What Python is told that asks; returns how many bytes it has, which stand at
+/// Replies to a question of Python; returns the size of the reply in bytes. The text is at
 /// ros2wasm_reply_text().
 EMSCRIPTEN_KEEPALIVE std::size_t ros2wasm_reply(char* asked, std::size_t size) {
   const std::string text(asked, size);

@@ -1,5 +1,5 @@
-// A folder of this machine among Pyodide's files, to be read only. No link leads out of it, and nothing hidden is there.
-// What is looked at is noted, in the words of bundler/launch/python_transcript.hpp.
+// A folder of this machine among Pyodide's files, to be read only. No link leads out of it, and nothing hidden is
+// there. Paths that are looked at are recorded, in the words of bundler/launch/host/python_transcript.hpp.
 
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, realpathSync, statSync } from 'node:fs';
@@ -24,7 +24,7 @@ const digest = (bytes) => createHash('sha256').update(bytes).digest('hex');
 
 /** For FS.mount(). `fs`: Pyodide's; options: `from`, a path without links, and `at`, where it is mounted. `seen`: a Map to fill. */
 export function mountedFiles(fs, seen) {
-  /** What is known more exactly stays. */
+  /** Records the state of a path. A more exact state, such as one with a hash, stays. */
   const note = (path, state) => { if (!startsWith(`${seen.get(path)} `, `${state} `)) seen.set(path, state); };
   const refuse = (code) => { throw new fs.ErrnoError(code); };
   const node = (parent, name, path, root, at, facts) => {

@@ -1,6 +1,6 @@
 // Pyodide for code of a workspace: it sees what its caller copies or mounts and nothing else of this machine, has the
 // same clock every time, and prints to standard error. Python finds no way into JavaScript by its modules; what code that
-// finds another way is kept from stands in bundler/launch/python_sandbox.hpp.
+// finds another way is kept from stands in bundler/io/python_sandbox.hpp.
 
 import { constants, existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,9 +9,9 @@ import { pathToFileURL } from 'node:url';
 const someDay = Date.UTC(2000, 0, 1);
 const someSeed = 2000;
 const doors = ['js', 'pyodide_js'];
-/** What Python takes for its name, in place of a path of this machine. */
+/** The path that Python sees as its program, in place of a path of this machine. */
 const program = '/usr/bin/python3';
-/** The memory of a started interpreter, which our package of Pyodide brings: it need not start then. */
+/** The memory of a started interpreter, from the Pyodide package of ros2wasm: with it, Python need not start again. */
 const image = 'started.image';
 
 /** Bytes that look random and are the same every time: of random, uuid, secrets, os.urandom(). */
@@ -45,7 +45,7 @@ export async function startPython(folder, environment = {}) {
   const started = existsSync(join(folder, image)) ? { _loadSnapshot: readFileSync(join(folder, image)) } : {};
   const env = { HOME: '/home', LANG: 'C.UTF-8', ...environment, PYTHONHASHSEED: '0' };
   const python = await loadPyodide({ indexURL: `${folder}/`, jsglobals: {}, env, stdout: say, stderr: say, ...started });
-  // What an image has of the place where it was made.
+  // Replace the random state and the variables that an image has from the machine that made it.
   random.restart();
   python.runPython(`import os, random\nos.environ.update(${JSON.stringify(env)})\nrandom.seed()\ndel os, random`);
   Date.now = () => someDay;

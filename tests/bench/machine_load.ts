@@ -7,7 +7,7 @@ export function machineLoad(): number {
   return Number(readFileSync('/proc/loadavg', 'utf8').split(' ')[0]);
 }
 
-/** Above this share of all processors, taken by processes of others, a missed aim is no failure. */
+/** Above this share of all processors, taken by processes of others, a missed aim is not a failure. */
 const QUIET_SHARE = 0.1;
 
 /** What the machine has done so far, in ticks. */

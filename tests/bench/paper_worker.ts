@@ -1,5 +1,5 @@
 // A node in the design of the ROS2WASM paper, replayed: it asks the page for each of its topics in turn and sleeps 10 ms
-// after each that has nothing yet; messages are YAML text. Its wasm and its unwinding of stacks are left out.
+// after each that has nothing yet; messages are YAML text. Its wasm and its unwinding of stacks are skipped.
 
 import { parse, stringify } from 'yaml';
 

@@ -7,14 +7,14 @@
 #include "bundler/resolve/solve.hpp"
 #include "conda_data/conda_data.hpp"
 #include "unit/bundler/support/temporary_tree.hpp"
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What `./c` has for linux-64, and the lock of a request for `zlib`.
+/// The names that `./c` has for linux-64, and the lock of a request for `zlib`.
 struct Answer {
   std::vector<std::string> names;
   std::string lock;

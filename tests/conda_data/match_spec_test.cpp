@@ -1,5 +1,5 @@
 // Match specs that conda accepts, and some that it rejects, from public lists.
-#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 #include <sstream>
 #include <vector>

@@ -5,8 +5,8 @@
 #include "bundler/resolve/solve.hpp"
 #include "bundler/workspace/foreign_environment.hpp"
 #include "conda_data/conda_data.hpp"
-#include "workspace_schema/lock.hpp"
-#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,12 +1,12 @@
 // Every version of the public list has the form that conda gives it, and our order of them is the
 // one that conda's rule makes of those forms.
-#include "workspace_schema/version.hpp"
+#include "workspace_schema/conda/version.hpp"
 
 #include <algorithm>
 #include <sstream>
 
 #include "conda_data/conda_data.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -99,7 +99,7 @@ TEST(PublicVersions, SortTheSame) {
     const Version& after = lines[i].version;
     const int order = forms_compared(forms[i - 1], forms[i]);
     EXPECT_LE(order, 0) << before.text() << " and " << after.text();
-    // What follows a `+` is not in the forms.
+    // The forms do not include the part after a `+`.
     if (before.local().empty() && after.local().empty()) {
       EXPECT_EQ(order == 0, before == after) << before.text() << " and " << after.text();
     }

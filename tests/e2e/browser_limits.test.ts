@@ -1,4 +1,4 @@
-// A program that needs what no browser has is left out when its package has others, now and from the cache; what only
+// A program that needs what no browser has is skipped when its package has others, now and from the cache; what only
 // a library of the compiler refers to is packed; and calls that fail say so in the node's console.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { CLI, PackWorkspace } from './pack_workspace.ts';
 
 const HELLO = '#include <cstdio>\n#include <cstdlib>\nint main() { std::printf("hello %d\\n", std::system("ls -l")); }\n';
 const UDP = '#include <sys/socket.h>\nint open_port() { return socket(AF_INET, SOCK_DGRAM, 0); }\n';
-const WARNING = /warning\[R2W0523\]: `udp` of package `course` is left out: it needs sockets, which no browser has\n {3}= why: udp\.cpp of libport\.a refers to `socket`\n/;
+const WARNING = /warning\[R2W0523\]: `udp` of package `course` is skipped: it needs sockets, which no browser has\n {3}= why: udp\.cpp of libport\.a refers to `socket`\n/;
 let ws: PackWorkspace;
 
 before(() => {
@@ -51,5 +51,5 @@ test('the score board has a row for it', async () => {
   const built = await new Workshop(CLI, join(ws.root, 'board'), new Map([['course', course]]), []).build('course');
   assert.ok('executables' in built, JSON.stringify(built));
   assert.deepEqual(built.executables, ['hello', 'mine']);
-  assert.deepEqual([...built.leftOut], [['udp', { code: 'R2W0523', reason: 'left out: it needs sockets (udp.cpp of libport.a refers to `socket`)' }]]);
+  assert.deepEqual([...built.leftOut], [['udp', { code: 'R2W0523', reason: 'skipped: it needs sockets (udp.cpp of libport.a refers to `socket`)' }]]);
 });

@@ -103,7 +103,7 @@ test('sbom.spdx.json names each part with a license that SPDX has, or its own wo
   const own = new Set((spdx.hasExtractedLicensingInfos ?? []).map(({ licenseId }) => licenseId));
   for (const { licenseDeclared } of spdx.packages) {
     if (licenseDeclared === 'NOASSERTION') continue;
-    parse(licenseDeclared); // throws for what is no expression
+    parse(licenseDeclared); // throws for what is not an expression
     for (const [reference] of licenseDeclared.matchAll(/LicenseRef-\d+/g)) assert.ok(own.has(reference), reference);
   }
   const known = new Set([...ids, 'SPDXRef-DOCUMENT']);

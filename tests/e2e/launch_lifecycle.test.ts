@@ -112,7 +112,7 @@ test('in Chromium the page shows what the launch says', async () => {
   }
 });
 
-test('a node that refuses a transition, and one that is no managed node, are told of', async () => {
+test('a node that refuses a transition, and one that is not a managed node, are told of', async () => {
   await pack('faults.launch.yaml', faults);
   for (const fault of ["Failed to make transition 'configure' for LifecycleNode '/broken'", '`/plain/change_state` so far']) {
     const run = await workspace.run(['run', 'site', '--until', `ERROR\\] \\[launch\\]: error\\[R2W0725\\]: .*${fault}`]);

@@ -11,7 +11,7 @@ import { CLI, PackWorkspace } from './pack_workspace.ts';
 
 const HELLO = '#include <cstdio>\nint main() { std::puts("hello"); }\n';
 const WEB = '#include <cstdio>\n#include "webthing/server.h"\nint main() {}\n';
-const WARNING = /warning\[R2W0522\]: `web` of package `course` is left out: nothing gives the header `webthing\/server\.h`\n --> src\/course\/src\/web\.cpp:2:10\n/;
+const WARNING = /warning\[R2W0522\]: `web` of package `course` is skipped: nothing gives the header `webthing\/server\.h`\n --> src\/course\/src\/web\.cpp:2:10\n/;
 let ws: PackWorkspace;
 
 before(() => {
@@ -76,5 +76,5 @@ test('the score board has a row for it', async () => {
   const built = await new Workshop(CLI, join(ws.root, 'board'), new Map([['course', course]]), []).build('course');
   assert.ok('executables' in built, JSON.stringify(built));
   assert.deepEqual(built.executables, ['hello']);
-  assert.deepEqual([...built.leftOut], [['web', { code: 'R2W0522', reason: 'left out: it needs the header `webthing/server.h` (src/web.cpp:2)' }]]);
+  assert.deepEqual([...built.leftOut], [['web', { code: 'R2W0522', reason: 'skipped: it needs the header `webthing/server.h` (src/web.cpp:2)' }]]);
 });

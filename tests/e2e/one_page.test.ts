@@ -183,7 +183,7 @@ test('what was changed in the page is found by verify, and a changed script or p
 });
 
 // Guarantee, same bytes: with the last archive or page of it lying in a package
-test('only its own pages are replaced, and a site in one file is no source of the package that it lies in', WATCHDOG, async () => {
+test('only its own pages are replaced, and a site in one file is not a source of the package that it lies in', WATCHDOG, async () => {
   const letter = scratch.file('kept.html', '<!doctype html>\n<p>a letter to be kept');
   const workspace = join(scratch.path, 'own');
   cpSync(join(EXAMPLES, '01_talker_listener'), workspace, { recursive: true });

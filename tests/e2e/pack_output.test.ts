@@ -1,4 +1,4 @@
-// Where `ros2wasm pack` writes: disks that are full or read-only, a folder that is no site, Ctrl-C at every step. The
+// Where `ros2wasm pack` writes: disks that are full or read-only, a folder that is not a site, Ctrl-C at every step. The
 // old site is untouched each time, and nothing is left beside it.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -81,8 +81,8 @@ for (const [what, folder] of [['the folder beside the site', 'out'], ['the whole
   });
 }
 
-// Guarantee, robust: a folder that is no site is never replaced
-test('a folder that is no site of ours', async () => {
+// Guarantee, robust: a folder that is not a site is never replaced
+test('a folder that is not a site of ours', async () => {
   const packed = await ws.run(['pack', '-o', 'out']);
   assert.equal(packed.code, 1, packed.stderr);
   assert.match(packed.stderr, /error\[R2W0601\]: `out` exists and is not a site made by ros2wasm/);

@@ -133,7 +133,7 @@ test('a bag of the site plays by itself, where its panel says so, with types tha
   });
 });
 
-test('what is no bag says so, and a cut one plays what is there', () =>
+test('what is not a bag says so, and a cut one plays what is there', () =>
   stage.on(kScene, {}, async (page) => {
     const bytes = await record(page, 3);
     await dropFile(page, '<img src=x onerror=alert(1)>.mcap', Buffer.from('nothing of that kind'));

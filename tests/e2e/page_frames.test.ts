@@ -122,7 +122,7 @@ test('several trees, rings of parents and transforms that are none are told', ()
     await tell(page, '/tf', [{ parent: 'world', child: 'other' }]);
     await page.getByText('2 trees that do not hang together, below map, world.').waitFor();
     await tell(page, '/tf', [{ parent: 'a', child: 'b' }, { parent: 'b', child: 'a' }]);
-    await page.getByText('A ring of parents, so nobody knows where these frames are: a in b in a').waitFor();
+    await page.getByText('A ring of parents, so the place of these frames is unknown: a in b in a').waitFor();
     await tell(page, '/tf', [{ parent: 'same', child: 'same' }, { parent: 'map', child: 'far', x: Number.NaN }]);
     await page.getByText('2 transforms were refused').waitFor();
     await page.screenshot({ path: join(kOutput, 'frames_broken.png') });

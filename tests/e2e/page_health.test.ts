@@ -101,7 +101,7 @@ test('statuses stand by level, the worst first, with counts, and what is silent 
     });
     await levels.getByRole('button', { name: 'Stale 4' }).waitFor();
     await page.getByText('Stale, was Warning').waitFor();
-    await page.getByRole('button', { name: 'Forget what was told' }).click();
+    await page.getByRole('button', { name: 'Clear the diagnostics' }).click();
     await page.getByText('Nobody has told of the health').waitFor();
   }));
 

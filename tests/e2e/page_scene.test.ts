@@ -215,7 +215,7 @@ async function fillWorld(page: Page): Promise<void> {
   });
 }
 
-test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each can be left out', () =>
+test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each can be omitted', () =>
   on(null, async (page) => {
     await fillWorld(page);
     const panel = page.locator('.panel-scene');

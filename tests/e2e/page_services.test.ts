@@ -44,7 +44,7 @@ test('a call shows its reply, which stays when the server has gone', () =>
     await page.getByRole('alert').getByText(/^a: /).waitFor();
   }));
 
-test('a call that is given up is no problem, and another one can be made', () =>
+test('a call that is given up is not a problem, and another one can be made', () =>
   stage.on(kScene, {}, async (page) => {
     await page.getByRole('button', { name: /^\/add demo\/srv\/Add/ }).click();
     await page.getByRole('textbox', { name: 'a of /add' }).fill('1');

@@ -169,7 +169,7 @@ for (const link of played('shared', 'port')) {
         assert.equal(await shell.prints(['topic', 'echo', '--once', '--field', 'point', '--filter', 'm.x < 1 < m.y', '/place']), 'x: 0.5\ny: 2.0\nz: 0.0\n---\n');
         assert.deepEqual(await shell.run(['topic', 'echo', '--filter', 'm.dta', '/chatter']), { code: 1, out: '', warned: "AttributeError: the message has no attribute 'dta'\n" });
         assert.match((await shell.run(['topic', 'echo', '--filter', 'import os', '/chatter'])).warned, /^NameError: name 'import' is not defined/);
-        assert.match((await shell.run(['topic', 'hz', '--filter', 'm.data / 2', '/chatter'])).warned, /^TypeError: a str is no number/);
+        assert.match((await shell.run(['topic', 'hz', '--filter', 'm.data / 2', '/chatter'])).warned, /^TypeError: a str is not a number/);
         // About a fifth as many as all.
         const [some, all] = [await shell.run(['topic', 'hz', '--filter', 'm.data[-1] in "05"', '/chatter'], /window: \d+\n/), await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/)];
         const rate = (out: string): number => Number(/^average rate: (.*)$/m.exec(out)?.[1]);

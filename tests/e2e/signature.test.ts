@@ -229,11 +229,11 @@ test('the page says which key signed, and that this is to be checked elsewhere',
       await page.getByRole('button', { name: 'Who signed it?' }).click();
     };
     await ask('shown.html');
-    await page.getByText(`A signature by the key ${keyId} lies beside this site, with the comment \u201cLab 3 <b>bold</b>\u201d. This page cannot vouch for itself`).waitFor();
+    await page.getByText(`A signature by the key ${keyId} is beside this site, with the comment \u201cLab 3 <b>bold</b>\u201d. This page cannot vouch for itself`).waitFor();
     const bare = await ws.run(['pack', '-o', 'unsigned.html']);
     assert.equal(bare.code, 0, bare.stderr);
     await ask('unsigned.html');
-    await page.getByText('No signature lies beside this site.').waitFor();
+    await page.getByText('This site has no signature.').waitFor();
   } finally {
     await browser.close();
   }

@@ -84,7 +84,7 @@ test('a student does tasks, comes back, and hands in', watchdog, async () => {
     await page.getByText('Already so before you began').waitFor();
     assert.match((await words(page))[0] ?? '', /Open.*Already so before you began/);
     await page.getByText('0 of 3 tasks done').waitFor();
-    // Looking is no act.
+    // Looking is not an act.
     await page.getByRole('button', { name: 'Show hint: Drive to the right' }).click();
     await page.getByRole('group', { name: 'Hint: Drive to the right' }).waitFor();
     assert.match((await words(page))[0] ?? '', /Already so before you began/);

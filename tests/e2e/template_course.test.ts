@@ -72,7 +72,7 @@ test('each link of the lab sheet acts', watchdog, () =>
     await click('the tasks');
     await page.locator('.panel-tasks .task').nth(2).waitFor();
 
-    // None is left out.
+    // None is skipped.
     assert.deepEqual(clicked.toSorted(), (await sheet.getByRole('button').allTextContents()).toSorted());
   }));
 

@@ -1,7 +1,7 @@
 // Any text as a lock: refused, or written back in a form that reads as the same lock, with packages
 // that stay in their folders.
 #include "tests/fuzz/require.hpp"
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 using namespace ros2wasm;
 

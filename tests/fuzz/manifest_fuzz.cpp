@@ -1,6 +1,6 @@
 // Any text as a workspace.yaml: a manifest, or mistakes that each have a code.
 #include "tests/fuzz/require.hpp"
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 using namespace ros2wasm;
 

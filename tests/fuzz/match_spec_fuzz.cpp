@@ -1,7 +1,7 @@
 // Any text as a match spec: read or refused, given another channel, and matched in bounded time.
 #include "tests/fuzz/require.hpp"
-#include "workspace_schema/match_spec.hpp"
-#include "workspace_schema/spec_channel.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/conda/spec_channel.hpp"
 
 using namespace ros2wasm;
 

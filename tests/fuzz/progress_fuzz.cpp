@@ -6,7 +6,7 @@
 #include "bundler/io/ed25519.hpp"
 #include "bundler/verify/progress_file.hpp"
 #include "tests/fuzz/require.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 using namespace ros2wasm;
 

@@ -12,7 +12,7 @@ using namespace ros2wasm;
 
 namespace {
 
-/// What a scan of these pieces finds; nothing when the text is refused.
+/// The results of a scan of these pieces; nothing when the text is refused.
 std::optional<std::vector<std::string>> scanned(const std::vector<std::string_view>& pieces) {
   std::vector<std::string> found;
   RepodataScanner scanner([&found](const FoundRecord& record) {
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!index) return 0;
   for (const PackageRecord& record : index->records) {
     fuzz::require(!record.name.empty() && !record.version.empty(), "a record has name and version");
-    fuzz::require(record.file_name.find('/') == std::string::npos, "a file name is no path");
+    fuzz::require(record.file_name.find('/') == std::string::npos, "a file name is not a path");
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-// What must hold for every input. Stops the fuzzer at the input that breaks it.
+// A condition that must be true for every input. Stops the fuzzer at an input that breaks it.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const PackageRecord& record : index.records) {
     fuzz::require(!record.name.empty() && !record.version.empty(), "a record has name and version");
-    fuzz::require(record.file_name.find('/') == std::string::npos, "a file name is no path");
+    fuzz::require(record.file_name.find('/') == std::string::npos, "a file name is not a path");
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 // Any text as a signature or a key: refused, or read; never a signature of what nobody signed.
-#include "bundler/verify/signature.hpp"
+#include "bundler/site/signature.hpp"
 #include "tests/fuzz/require.hpp"
 
 using namespace ros2wasm;

@@ -1,6 +1,6 @@
 // Any text as a version: read or refused, and the order of two versions is one.
 #include "tests/fuzz/require.hpp"
-#include "workspace_schema/version.hpp"
+#include "workspace_schema/conda/version.hpp"
 
 using namespace ros2wasm;
 

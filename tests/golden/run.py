@@ -72,7 +72,7 @@ def parse(path: Path) -> Case:
             answer_from = number
         if kind == "file-after":
             case.wanted_files.append(name)
-    if answer_from == len(lines):  # a new case: the newline that ends the file is no line of its input
+    if answer_from == len(lines):  # a new case: the newline that ends the file is not a line of its input
         if body and body[-1] == "":
             body.pop()
         close()

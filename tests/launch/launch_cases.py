@@ -54,7 +54,7 @@ CASES: dict[str, list[Action]] = {
     'conditions': [
         action('arg', name='c', default='False'), node('n19', if_=var('c')), node('n20', unless=var('c')),
         node('n21', if_='1'), node('n22', unless='true'), node('n23', if_=Sub('equals', (var('c'), 'False')))],
-    'a group that is left out': [action('group', if_='false', children=[node('n24')])],
+    'a group that is skipped': [action('group', if_='false', children=[node('n24')])],
     'variables end with their group, unless it is not scoped': [
         action('let', name='v', value='1'), action('group', children=[action('let', name='v', value='2')]),
         action('log', message=var('v')),
@@ -82,7 +82,7 @@ CASES: dict[str, list[Action]] = {
     'the life of a process': [
         node('n28', respawn=True, respawn_delay=4.0, output='log'), node('n29', on_exit='shutdown', output='both')],
     'a shutdown': [action('timer', period=9.0, children=[action('shutdown', reason='done')])],
-    'a command is left out, and one that starts a node is not': [
+    'a command is skipped, and one that starts a node is not': [
         action('executable', cmd='gz sim -r'), action('executable', part('env', name='G', value='1'),
                                                       cmd='ros2 run demo talker --loud')],
     'components of a container, and some more of them': [

@@ -133,7 +133,7 @@ function leftOutPrograms(folder: string): ReadonlyMap<string, Failure> {
   const notes = readdirSync(folder).filter((name) => name.endsWith('.left_out')).sort();
   return new Map(notes.map((note) => {
     const need = readFileSync(join(folder, note), 'utf8');
-    return [note.slice(0, -'.left_out'.length), { code: codeOfNeed(need), reason: `left out: it needs ${need}` }];
+    return [note.slice(0, -'.left_out'.length), { code: codeOfNeed(need), reason: `skipped: it needs ${need}` }];
   }));
 }
 
@@ -163,10 +163,10 @@ export function firstError(messages: string): Failure | undefined {
 
 /** The warnings about a package that was not built. */
 export function whyLeftOut(messages: string, name: string): Failure {
-  const said = findings(messages).find((event) => event.message?.startsWith(`package \`${name}\` is left out: `) === true);
-  if (said === undefined) return { code: 'R2W0514', reason: 'the package is left out' };
+  const said = findings(messages).find((event) => event.message?.startsWith(`package \`${name}\` is skipped: `) === true);
+  if (said === undefined) return { code: 'R2W0514', reason: 'the package is skipped' };
   // The last cause is the first one of all.
-  const root = said.message?.includes(' is left out: it needs `') === true ? said.why?.at(-1) : undefined;
+  const root = said.message?.includes(' is skipped: it needs `') === true ? said.why?.at(-1) : undefined;
   return { code: said.code, reason: [(said.message ?? '') + placeOf(said), ...(root === undefined ? [] : [root])].join(': ') };
 }
 

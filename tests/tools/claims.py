@@ -29,7 +29,7 @@ THREATS = "SECURITY.md"
 COMMENT = re.compile(r"^\s*(?://\s?|#(?:\s|$))(.*)$")
 CLAIM = re.compile(r"^(?:Compatibility|Guarantee), ([a-z ]+): (.*)$")
 KINDS = [kind for kinds in PAGES.values() for kind in kinds]
-# These speak of claims; and what a fuzzer made is no test's word.
+# These speak of claims; and what a fuzzer made is not a test's word.
 NO_CLAIMS = ("tests/tools/claims.py", "tests/unit/tools/claims_test.py")
 MADE_INPUT = "tests/fuzz/corpus/"
 # What begins a comment and then reads like a claim, in whatever form: it must be one that is read.

@@ -13,36 +13,12 @@ ROOT = Path(__file__).resolve().parents[2]
 
 NATIVE = ("workspace_schema", "bundler", "cli")
 # The folders of the bundler, from the ground up. Files beside them put the steps together and may use all.
-BUNDLER = ("io", "archive", "channel", "store", "resolve", "workspace", "build", "languages", "launch", "render",
-           "plan", "verify", "emit", "serve", "run")
-# Includes that point up and are to go. None may be added; one that is gone is taken off the list.
-BUNDLER_DEBT = {
-    ("build/build_workspace.hpp", "languages/language.hpp"),
-    ("build/source_tree.cpp", "render/own_site.hpp"),
-    ("languages/ament_python.cpp", "launch/python_sandbox.hpp"),
-    ("languages/ament_python.cpp", "launch/python_tree.hpp"),
-    ("launch/installed_tree.hpp", "plan/site_plan.hpp"),
-    ("launch/launch_start.cpp", "plan/site_plan.hpp"),
-    ("launch/launch_start.cpp", "render/site_node_json.hpp"),
-    ("plan/site_signature.cpp", "verify/site_list.hpp"),
-    ("plan/site_signature.hpp", "verify/signature.hpp"),
-    ("render/carried_page.cpp", "verify/site_list.hpp"),
-    ("render/carried_page.hpp", "plan/site_plan.hpp"),
-    ("render/course_page.hpp", "plan/site_plan.hpp"),
-    ("render/interfaces_json.hpp", "plan/site_plan.hpp"),
-    ("render/license_list.hpp", "plan/site_component.hpp"),
-    ("render/own_site.cpp", "verify/site_list.hpp"),
-    ("render/packed_launch_json.hpp", "plan/site_plan.hpp"),
-    ("render/site_json.hpp", "plan/site_plan.hpp"),
-    ("render/site_node_json.hpp", "plan/site_plan.hpp"),
-    ("verify/course_check.cpp", "emit/precompressed.hpp"),
-    ("verify/site_check.cpp", "emit/precompressed.hpp"),
-    ("workspace/channel_request.cpp", "launch/python_tree.hpp"),
-    ("workspace/default_manifest.hpp", "launch/launch_graph.hpp"),
-    ("workspace/page_bags.hpp", "plan/site_plan.hpp"),
-    ("workspace/page_notebook.hpp", "plan/site_plan.hpp"),
-    ("workspace/page_text.hpp", "plan/site_plan.hpp"),
-    ("workspace/python_sources.hpp", "launch/python_tree.hpp"),
+BUNDLER = ("io", "archive", "channel", "store", "resolve", "site", "workspace", "build", "languages", "launch",
+           "render", "plan", "verify", "emit", "serve", "run")
+# Folders within a folder, and the neighbours that each uses beside itself.
+PARTS = {
+    "workspace_schema": {"base": (), "conda": ("base",), "schema": ("base", "conda")},
+    "bundler/launch": {"python": (), "xacro": ("", "python"), "": ("python", "xacro"), "host": ("", "python", "xacro")},
 }
 SITE = "runtime/site"
 # The floors of the site, from the ground up: a file uses those of its own floor and of lower ones.
@@ -170,7 +146,7 @@ def native_faults() -> list[str]:
 
 def bundler_faults() -> list[str]:
     """Includes between the folders of the bundler that point up."""
-    errors, debt = [], set()
+    errors = []
     for file in sorted((ROOT / "bundler").rglob("*.?pp")):
         name = file.relative_to(ROOT / "bundler").as_posix()
         folder, _, rest = name.partition("/")
@@ -183,15 +159,32 @@ def bundler_faults() -> list[str]:
             other, _, there = used.removeprefix("bundler/").partition("/")
             if not used.startswith("bundler/") or (there and other not in BUNDLER):
                 continue
-            if there and BUNDLER.index(other) <= BUNDLER.index(folder):
-                continue
-            pair = (name, used.removeprefix("bundler/"))
-            debt.add(pair)
-            if pair not in BUNDLER_DEBT:
+            if not there or BUNDLER.index(other) > BUNDLER.index(folder):
                 above = other if there else "what joins the steps"
                 errors.append(f"bundler/{name}: uses {used}; {folder} is below {above}")
-    gone = sorted(BUNDLER_DEBT - debt) if (ROOT / "bundler" / "pipeline.cpp").exists() else []
-    return errors + [f"bundler/{name} uses {used} no more: take it off the list in layers.py" for name, used in gone]
+    return errors
+
+
+def part_of(path: str, top: str) -> str:
+    """The folder within `top` that a file is in; empty for `top` itself."""
+    return path.removeprefix(top + "/").rpartition("/")[0]
+
+
+def part_faults() -> list[str]:
+    """Includes between the parts of a folder that it does not allow."""
+    errors = []
+    for top, parts in PARTS.items():
+        for file in sorted((ROOT / top).rglob("*.?pp")):
+            name = file.relative_to(ROOT).as_posix()
+            part = part_of(name, top)
+            if part not in parts:
+                errors.append(f"{name}: there is no such part of {top}; {', '.join(filter(None, parts))}")
+                continue
+            for used in NATIVE_INCLUDE.findall(file.read_text(encoding="utf-8")):
+                other = part_of(used, top)
+                if used.startswith(top + "/") and other != part and other not in parts[part]:
+                    errors.append(f"{name}: uses {used}; {part or top} does not know {other or top}")
+    return errors
 
 
 def package_faults() -> list[str]:
@@ -227,7 +220,7 @@ def site_faults() -> list[str]:
 
 
 def violations() -> list[str]:
-    return native_faults() + bundler_faults() + package_faults() + site_faults()
+    return native_faults() + bundler_faults() + part_faults() + package_faults() + site_faults()
 
 
 if __name__ == "__main__":

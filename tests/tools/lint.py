@@ -22,6 +22,8 @@ CMAKE_MODULE = re.compile(r"(templates/toolchain/modules|runtime/packages/\w+/\w
 CMAKE_CODE = re.compile(r"^\s*(function|macro|if)\(", re.MULTILINE)
 NO_CODE = "R2W9999"  # stands for one that does not exist
 
+WIRE_NUMBER = re.compile(r"\b(?:slot|other|from|to)\]? \+ [1-6]\]|\bload\(slot \+ [1-6]")
+
 
 def tracked(*suffixes: str) -> list[str]:
     command = ["git", "ls-files", "-co", "--exclude-standard"]
@@ -65,6 +67,8 @@ def house_rules(names: list[str] | None = None) -> str | None:
                     errors.append(f"{name}:{number}: there is no code {code}")
             if REGISTRY_OR_MACHINE.search(line):
                 errors.append(f"{name}:{number}: names a package registry's host or a path of a machine")
+            if name.startswith("runtime/site/bus/") and WIRE_NUMBER.search(line):
+                errors.append(f"{name}:{number}: a word of a slot has a name in BusSlot, which is generated")
             if path.suffix == ".ts" and "waitForFunction(async" in line:
                 errors.append(f"{name}:{number}: a promise counts as true here; use tests/support/eventually.ts")
     return "\n".join(errors) or None
@@ -89,6 +93,7 @@ def checks() -> dict[str, object]:
         "english": lambda: run(sys.executable, "tests/tools/english.py"),
         "words": lambda: run("node", "tests/tools/page_texts.ts"),
         "constants": lambda: run("node", "runtime/protocol/generate.mjs", "--check"),
+        "codes": lambda: run(sys.executable, "tests/tools/codes.py", "--check"),
         "tables": lambda: run(sys.executable, "tests/tools/claims.py", "--check"),
         "python": lambda: run(PYTHON, "-m", "flake8", "--max-line-length=120", *python),
         "hints": lambda: run(PYTHON, "-m", "mypy", "--cache-dir=build/.mypy_cache", *hinted),

@@ -34,7 +34,7 @@ inline constexpr int32_t kFlagHidden = 2;
 /// EndpointDesc.flags: stands for an endpoint of another tab; two of them never match.
 inline constexpr int32_t kFlagMirror = 4;
 
-/// What an endpoint is.
+/// The kinds of endpoints.
 enum class EndpointKind : int32_t
 {
   kPublisher = 1,
@@ -318,7 +318,7 @@ inline constexpr int32_t kStride = 0;
 inline constexpr int32_t kPages = 1;
 }  // namespace bus_ring
 
-/// What travels with a payload; also the frame header on both links. Little endian.
+/// The metadata of a payload; also the frame header on both links. Little endian.
 struct SampleInfo
 {
   uint32_t length;  ///< payload bytes

@@ -27,7 +27,7 @@ export const flagHidden = 2;
 /** EndpointDesc.flags: stands for an endpoint of another tab; two of them never match. */
 export const flagMirror = 4;
 
-/** What an endpoint is. */
+/** The kinds of endpoints. */
 export const EndpointKind = {
   publisher: 1,
   subscription: 2,
@@ -300,7 +300,7 @@ export const BusRing = {
   pages: 1,
 } as const;
 
-/** Byte offsets. What travels with a payload; also the frame header on both links. Little endian. */
+/** Byte offsets. The metadata of a payload; also the frame header on both links. Little endian. */
 export const SampleInfoLayout = {
   size: 64,
   length: 0,

@@ -1,5 +1,5 @@
-// Opens a bag: MCAP, by its index, or when it has none that holds, from front to back as far as it can be read. What it
-// says of itself may be a lie: every length is checked before memory is made for it.
+// Opens a bag: MCAP, by its index, or without a valid one from front to back as far as it can be read. The sizes in
+// it may be false: every length is checked before memory is allocated for it.
 
 import { McapIndexedReader, McapStreamReader } from '@mcap/core';
 import { splitSchema } from '../decode/definitions.ts';
@@ -57,7 +57,7 @@ const mostSchemaBytes = 1 << 20;
 const mostSchemasBytes = 16 << 20;
 /** Chunks whose times overlap are held side by side. */
 const mostHeldBytes = 512 * 2 ** 20;
-/** Of a bag without index. */
+/** Upper bound of the messages that are stored for a bag without index, in bytes. */
 const mostKeptBytes = 256 * 2 ** 20;
 const mostKeptMessages = 2_000_000;
 const pieceBytes = 1 << 20;
@@ -81,7 +81,7 @@ interface ChannelRecord {
 export async function openBag(source: BagSource): Promise<Bag> {
   const head = await source.read(0, magic.length);
   if (magic.some((byte, index) => head[index] !== byte)) {
-    throw new SiteError('R2W0740', `\`${source.name}\` is no bag that can be read`, {
+    throw new SiteError('R2W0740', `\`${source.name}\` is not a bag that can be read`, {
       why: 'bags are MCAP files, which begin with their sign; this one does not',
       fix: 'convert other bags with `ros2 bag convert`, or record with `--storage mcap`',
     });
@@ -116,7 +116,7 @@ async function openIndexed(source: BagSource): Promise<Bag> {
     if (index === 0 || chunk.messageStartTime < start) start = chunk.messageStartTime;
     if (chunk.messageEndTime > end) end = chunk.messageEndTime;
   }
-  if (heldAtOnce(chunkIndexes) > mostHeldBytes) throw new Error('too many of its chunks lie over each other');
+  if (heldAtOnce(chunkIndexes) > mostHeldBytes) throw new Error('too many of its chunks overlap');
   const counts = statistics?.channelMessageCounts;
   const described = describe([...channelsById.values()], schemasById, (id) => Number(counts?.get(id) ?? 0n));
   let distro = '';
@@ -223,7 +223,7 @@ async function readWhole(source: BagSource, noIndex: string): Promise<Bag> {
     damage = reasonOf(error);
   }
   if (kept.length === 0 && damage !== undefined) {
-    throw new SiteError('R2W0740', `\`${source.name}\` is no bag that can be read`, { why: [...new Set([noIndex, damage])] });
+    throw new SiteError('R2W0740', `\`${source.name}\` is not a bag that can be read`, { why: [...new Set([noIndex, damage])] });
   }
   kept.sort((a, b) => (a.logTime < b.logTime ? -1 : a.logTime > b.logTime ? 1 : 0));
   return {
@@ -238,6 +238,6 @@ async function readWhole(source: BagSource, noIndex: string): Promise<Bag> {
 
 function reasonOf(error: unknown): string {
   const text = error instanceof Error ? error.message : String(error);
-  // What the reader puts behind its words is the file's own.
+  // The text that the reader appends comes from the file itself, so it is removed.
   return text.replace(/ ?\[(?:library=[^]*|no header)\]$/, '').slice(0, 300);
 }

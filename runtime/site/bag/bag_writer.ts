@@ -77,7 +77,7 @@ export class BagWriter {
     this.channels.set(name, { id, messages: 0 });
   }
 
-  /** Of a topic that was added. */
+  /** Adds a message of a topic that was added before. */
   addMessage(topic: string, { logTime, publishTime, data }: WrittenMessage): void {
     const channel = this.channels.get(topic);
     if (channel === undefined) return;
@@ -103,7 +103,7 @@ export class BagWriter {
     });
   }
 
-  /** What rosbag2 asks for; it takes times, counts and topics from the index instead. */
+  /** The metadata that rosbag2 requires; it takes times, counts and topics from the index instead. */
   private description(): string {
     const { messageStartTime: start = 0n, messageEndTime: end = 0n, messageCount = 0n } = this.writer.statistics ?? {};
     return [
@@ -114,7 +114,7 @@ export class BagWriter {
     ].join('\n');
   }
 
-  /** What has failed once fails all that comes after it. */
+  /** Once some work has failed, all later work fails, too. */
   private queue<T>(work: () => Promise<T>): Promise<T> {
     const done = this.tail.then(work);
     this.tail = done;

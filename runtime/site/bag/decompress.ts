@@ -1,9 +1,9 @@
-// The two compressions that chunks of MCAP files have. What comes out is bounded by what the chunk says of itself, which
-// is bounded too: data that lie give an error, never more memory.
+// The two compressions of chunks in MCAP files. The output is bounded by the size that the chunk declares, which
+// is bounded too: false sizes give an error, never more memory.
 
 import { decompress as zstd } from 'fzstd';
 
-/** Of one chunk. Writers make chunks of some MiB. */
+/** Upper bound of the bytes of one chunk. Writers make chunks of some MiB. */
 export const mostChunkBytes = 128 * 2 ** 20;
 
 export type Decompress = (data: Uint8Array, size: bigint) => Uint8Array;
@@ -29,7 +29,7 @@ export function lz4Frame(data: Uint8Array, out: Uint8Array): Uint8Array {
   let at = 0;
   let to = 0;
   while (at < data.length) {
-    if (view.getUint32(at, true) !== lz4Magic) throw new Error('this is no frame of LZ4');
+    if (view.getUint32(at, true) !== lz4Magic) throw new Error('this is not a frame of LZ4');
     const flags = view.getUint8(at + 4);
     if (flags >> 6 !== 1) throw new Error('a newer LZ4 than this reads');
     if ((flags & 1) !== 0) throw new Error('LZ4 with a dictionary');
@@ -73,7 +73,7 @@ function lz4Block(block: Uint8Array, out: Uint8Array, to: number): number {
   while (at < block.length) {
     const token = block[at++]!;
     const literals = length(token >> 4);
-    if (at + literals > block.length || to + literals > out.length) throw new Error('LZ4 data lie about their length');
+    if (at + literals > block.length || to + literals > out.length) throw new Error('LZ4 data have another length than they say');
     out.set(block.subarray(at, at + literals), to);
     at += literals;
     to += literals;

@@ -10,10 +10,10 @@ export const slowestRate = 0.01;
 export const fastestRate = 100;
 /** Between the first publisher and the first message, so that subscriptions find each other. */
 const discoveryMs = 50;
-/** For so long nobody else has the page. */
+/** The longest time for which the player occupies the page without a pause, in ms. */
 const longestTurnMs = 8;
 const clockTopic = '/clock';
-/** Of what latched topics held before a place. */
+/** Upper bound of the bytes of latched messages from before the start place. */
 const mostHeldBytes = 64 << 20;
 
 export interface PlayOptions {
@@ -21,11 +21,11 @@ export interface PlayOptions {
   readonly loop?: boolean;
   /** How often the bag's time is published on /clock, by the site's time; 0: never. */
   readonly clockHz?: number;
-  /** Topics of the bag; all when left out. */
+  /** Topics of the bag; all when omitted. */
   readonly topics?: readonly string[];
   /** From a topic of the bag to the name that it is published under. */
   readonly names?: ReadonlyMap<string, string>;
-  /** The part that is played, in ns since 1970; all of the bag when left out. */
+  /** The part that is played, in ns since 1970; all of the bag when omitted. */
   readonly from?: bigint;
   readonly to?: bigint;
 }
@@ -47,7 +47,7 @@ export class BagPlayer {
   /** Ends a wait before its time. */
   private hurry: (() => void) | undefined;
   state: PlayState = 'paused';
-  /** What ended it, or keeps a topic from being published. */
+  /** The error that ended it, or that keeps a topic from being published. */
   problem: SiteError | undefined;
   sent = 0;
   /** Messages that could not be sent: a subscription had no room, or the page has none for all that was latched. */
@@ -180,7 +180,7 @@ export class BagPlayer {
     }
   }
 
-  /** What a latched topic held at that place: late subscriptions would have it. */
+  /** Publishes the messages that latched topics held at that place, as late subscriptions would get them. */
   private async sendLatched(before: bigint, signal: AbortSignal): Promise<void> {
     const isLatched = ({ topic, offered }: BagChannel): boolean =>
       this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local';
@@ -235,7 +235,7 @@ export class BagPlayer {
     return waited;
   }
 
-  /** Of the site's time; less when the speed changes. */
+  /** Waits for `ms` of site time; less when the speed changes. */
   private wait(ms: number, signal: AbortSignal): Promise<void> {
     return new Promise((resolve) => {
       const done = (): void => {
@@ -298,7 +298,7 @@ export function playable({ channels }: Bag): string[] {
   return [...new Set(channels.filter(({ encoding, type }) => encoding === 'cdr' && type !== '').map(({ topic }) => topic))];
 }
 
-/** Of lists that are in order, the one that begins first. One of them is not empty. */
+/** The list that begins first; each list is in order, and at least one is not empty. */
 function oldest(lists: readonly BagMessage[][]): BagMessage[] {
   return lists.filter(({ length }) => length > 0).reduce((first, list) => (list[0]!.logTime < first[0]!.logTime ? list : first));
 }

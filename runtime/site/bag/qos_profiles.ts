@@ -1,9 +1,9 @@
 // `offered_qos_profiles`, the YAML in which rosbag2 keeps the QoS of a topic's publishers: as Jazzy writes it, and as
-// older ones did, with numbers for policies. Pure; what cannot be read is left out.
+// older ones did, with numbers for policies. Pure; what cannot be read is skipped.
 
 import type { EndpointQosView, QosRequest } from '../contract/session.ts';
 
-/** What ROS 2 writes for "no limit". */
+/** The number that ROS 2 writes for "no limit". */
 const endless = 2n ** 63n - 1n;
 const second = 1_000_000_000n;
 const mostCharacters = 1 << 16;
@@ -88,7 +88,7 @@ function profileOf(fields: ReadonlyMap<string, string>): QosRequest {
   };
 }
 
-/** What a subscription asks for, so that it hears all of them. */
+/** The QoS of a subscription that matches all of these publishers. */
 export function requestFor(offered: readonly QosRequest[]): QosRequest {
   const isLatched = offered.length > 0 && offered.every(({ durability }) => durability === 'transient_local');
   return {
@@ -98,7 +98,7 @@ export function requestFor(offered: readonly QosRequest[]): QosRequest {
   };
 }
 
-/** What a publisher that stands for all of them offers: theirs where they agree, else ROS 2's default, as rosbag2 does. */
+/** The QoS of a publisher that represents all of these: theirs where they agree, else ROS 2's default, as in rosbag2. */
 export function offerFor(offered: readonly QosRequest[]): QosRequest {
   const [first] = offered;
   if (first === undefined) return {};

@@ -23,7 +23,7 @@ export interface RecordOptions {
 
 interface Followed {
   readonly type: string;
-  /** What its subscription asks for. */
+  /** The reliability and durability that its subscription requests. */
   asked: string;
   subscription: PageSubscription;
 }
@@ -68,7 +68,7 @@ export class Recorder {
     return this.followed.size;
   }
 
-  /** Of the site's time. */
+  /** The length of the recording in ms of site time. */
   get durationMs(): number {
     return this.session.time.view().now - this.startedAt;
   }
@@ -107,7 +107,7 @@ export class Recorder {
     if (offers.length === 0 || (known === undefined && (this.followed.size >= mostTopics || this.refused.has(name)))) return;
     const request = requestFor(offers.map(({ qos }) => qos));
     const asked = `${request.reliability} ${request.durability}`;
-    // What was asked for hears a publisher that offers more, too.
+    // The present subscription also matches a publisher that offers more.
     if (known !== undefined && (known.asked === asked || !weaker(asked, known.asked))) return;
     const subscribe = (): PageSubscription => this.session.node().subscription(name, type, request, (data, info) => {
       if (this.stopping !== undefined) return;
@@ -150,7 +150,7 @@ function weaker(asked: string, before: string): boolean {
   return rank(asked) > rank(before);
 }
 
-/** Of ms since 1970, which resolve some hundred ns. */
+/** Converts ms since 1970, which resolve some hundred ns. */
 function nanoseconds(ms: number): bigint {
   return BigInt(Math.round(ms * 1e6));
 }

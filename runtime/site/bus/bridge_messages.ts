@@ -1,4 +1,4 @@
-// What the bridges of two tabs say to each other. Law: protocol/SPEC.md section 7.
+// The messages between the bridges of two tabs. protocol/SPEC.md section 7 defines them.
 
 import type { EndpointRecord } from './graph.ts';
 
@@ -14,9 +14,9 @@ export interface ExportedEndpoint extends Omit<EndpointRecord, 'participant' | '
 }
 
 export type BridgeMessage =
-  /** I am here; sent again to whoever says it first. */
+  /** The sender is here; sent again in reply to the first one from the other tab. */
   | { readonly t: 'hello' }
-  /** What came to the sender's graph and what left it since the last time. */
+  /** The changes of the sender's graph since the last message: new and removed nodes and endpoints. */
   | {
     readonly t: 'graph';
     readonly nodes: readonly ExportedNode[];

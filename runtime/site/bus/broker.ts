@@ -28,7 +28,7 @@ export interface Broker {
   readonly kind: 'shared' | 'port';
   /** The page's own place; it must not block. */
   readonly link: SharedLink | PortLink;
-  /** Of a stepped run. */
+  /** Set in a stepped run only. */
   readonly conductor: Conductor | undefined;
   /** A place for a worker; undefined when all are taken. */
   admit(): Admission | undefined;
@@ -48,7 +48,7 @@ export interface Broker {
   end(participant: number, closed: boolean): void;
   /** After `end`: none of its workers runs any more, so what they had may be given to others. */
   gone(participant: number): void;
-  /** Called when a participant has sent what no program of ours sends. */
+  /** Called when a participant has sent a message that no program built by ros2wasm sends. */
   onStrange(call: (participant: number) => void): void;
   /** A batch of console lines of the participant was dealt with. */
   consoleSeen(participant: number): void;
@@ -62,7 +62,7 @@ export interface SharedBrokerOptions extends BusOptions {
   readonly stepped?: boolean;
 }
 
-/** Of a stepped run. With a random session the gids, and what programs make of them, would differ from run to run. */
+/** The options of a stepped run. With a random session the gids, and all that programs derive from them, would differ in each run. */
 export function steppedBus(seed: number): SharedBrokerOptions {
   return { session: [0, seed], stepped: true };
 }
@@ -136,7 +136,7 @@ export class SharedBroker implements Broker {
 
   gone(participant: number): void {
     if (this.closed) return;
-    // What its workers were making or freeing when they stopped.
+    // Frees the endpoints that its workers were creating or freeing when they stopped.
     this.depart(participant, true);
     this.lingering.add(participant);
     this.reap();

@@ -18,7 +18,7 @@ export interface BusOptions {
   readonly nodes?: number;
   readonly endpoints?: number;
   readonly graphLog?: number;
-  /** The first words of every gid; random when left out. */
+  /** The first words of every gid; random when omitted. */
   readonly session?: readonly [number, number];
 }
 
@@ -230,7 +230,7 @@ export class Bus {
     this.add(this.participantWord(participant) + BusParticipant.status, 1);
   }
 
-  /** An event for a participant: whoever sleeps there wakes. */
+  /** Signals an event to a participant, and wakes its sleeping threads. */
   bump(participant: number): void {
     const word = this.participantWord(participant);
     this.add(word + BusParticipant.wake, 1);

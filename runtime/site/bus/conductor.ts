@@ -23,7 +23,7 @@ export class Conductor {
   private nowNs = beginNs;
   private endNs = Infinity;
   private ended: () => void = () => undefined;
-  /** Who keeps all from going on, and how many in the page think. */
+  /** The number of hold() calls that block all turns, and of think() calls that the page has not finished. */
   private held = 0;
   private thinkers = 0;
   private thinking = false;
@@ -132,7 +132,7 @@ export class Conductor {
     return order.find((place) => this.ready(place));
   }
 
-  /** What anybody waits for; Infinity: only for what others do, or nobody is there. */
+  /** The earliest time that a participant or an alarm waits for; Infinity: all wait for events only, or nobody is there. */
   private earliest(): number {
     const rests = [...this.resting.values()].map((rest) => rest?.untilNs ?? Infinity);
     return Math.min(...rests, ...[...this.alarms].map(({ atNs }) => atNs));

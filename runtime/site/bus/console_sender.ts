@@ -10,7 +10,7 @@ import type { ConsoleCredit, Link } from './link.ts';
 export type SentLine = readonly [stream: 1 | 2, time: number, text: string];
 
 const batchesAhead = 8;
-/** Of one batch. */
+/** Upper bound of the lines in one batch. */
 export const mostLines = 10_000;
 
 export class LocalCredit implements ConsoleCredit {

@@ -1,4 +1,4 @@
-// What both links refuse of a node or an endpoint before they make it.
+// The checks of a node or an endpoint that both links make before they create it.
 
 import { EndpointKind, ErrorCode, maxHashLength, maxNameLength } from '../../protocol/generated/constants.ts';
 import type { EndpointDescription } from './link.ts';

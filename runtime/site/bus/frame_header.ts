@@ -3,23 +3,28 @@
 import { EndpointKind } from '../../protocol/generated/constants.ts';
 import { putNanoseconds, type SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
+import { InfoWord } from './sample_info.ts';
+
+/** The word of a gid that has the endpoint's key. */
+const kKeyWord = 2;
 
 /** Fills `header` and the program's SampleInfo (`given`, from word `at` on). Returns the one client it is for, or 0. */
 export function fillHeader(
   record: EndpointRecord, clock: SiteClock, header: Int32Array, given: Int32Array, at: number, sequence: number, length: number,
 ): number {
   const client = record.kind === EndpointKind.client;
-  header[0] = length;
-  putNanoseconds(header, 2, sequence);
-  if (given[at + 4] === 0 && given[at + 5] === 0) putNanoseconds(header, 4, clock.systemNs());
-  else header.set(given.subarray(at + 4, at + 6), 4);
+  const { sourceTimestamp: stamp, relatedSequence, relatedGid, writerGid } = InfoWord;
+  header[InfoWord.length] = length;
+  putNanoseconds(header, InfoWord.sequence, sequence);
+  if (given[at + stamp] === 0 && given[at + stamp + 1] === 0) putNanoseconds(header, stamp, clock.systemNs());
+  else header.set(given.subarray(at + stamp, at + stamp + 2), stamp);
   if (client) {
-    putNanoseconds(header, 6, sequence);
-    header.set(record.gid, 8);
+    putNanoseconds(header, relatedSequence, sequence);
+    header.set(record.gid, relatedGid);
   } else {
-    header.set(given.subarray(at + 6, at + 12), 6);
+    header.set(given.subarray(at + relatedSequence, at + writerGid), relatedSequence);
   }
-  header.set(record.gid, 12);
+  header.set(record.gid, writerGid);
   given.set(header, at);
-  return record.kind === EndpointKind.server ? header[10]! : 0;
+  return record.kind === EndpointKind.server ? header[relatedGid + kKeyWord]! : 0;
 }

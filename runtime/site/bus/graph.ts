@@ -55,7 +55,7 @@ export function reads(kind: number): boolean {
   return kind !== EndpointKind.publisher;
 }
 
-/** How two endpoints stand to each other. The same answer whoever asks. */
+/** The relation of two endpoints. Every participant computes the same answer. */
 export function relate(a: EndpointRecord, b: EndpointRecord): Relation {
   if (counterpart[a.kind] !== b.kind || a.name !== b.name || (a.flags & b.flags & flagMirror) !== 0) return none;
   if (a.participant === b.participant && ((a.flags | b.flags) & flagIgnoreLocal) !== 0) return none;

@@ -1,4 +1,4 @@
-// The graph as the page and commands see it: nodes with what they have, plumbing left out. Pure.
+// The graph as the page and commands see it: nodes with their endpoints, without hidden internals. Pure.
 
 import { EndpointKind } from '../../protocol/generated/constants.ts';
 import { joinName } from '../decode/ros_names.ts';

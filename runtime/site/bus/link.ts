@@ -39,7 +39,7 @@ export interface EndpointStatus {
   readonly lastPolicy: number;
 }
 
-/** Who gets hold of a link beyond the program: the page's sampler and tests. */
+/** A node in the snapshot of graph(), with its participant. */
 export interface GraphNode {
   readonly participant: number;
   readonly namespace: string;
@@ -64,7 +64,7 @@ export interface GraphSnapshot {
 
 export interface Link {
   readonly kind: LinkKind;
-  /** What programs take for the time. All timeouts are by it. */
+  /** The time as programs see it. All timeouts use this clock. */
   readonly clock: SiteClock;
   /** Handle, or a negative ErrorCode. */
   nodeCreate(name: string, namespace: string): number;

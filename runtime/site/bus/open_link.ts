@@ -6,7 +6,7 @@ import type { PortTicket } from './port_messages.ts';
 import { SharedLink } from './shared_link.ts';
 import { type Rest, Turns } from './turns.ts';
 
-/** What a worker needs to join; goes there by postMessage. */
+/** The data that a worker needs to join the graph; sent to it by postMessage. */
 export type LinkTicket =
   | { readonly kind: 'shared'; readonly memory: WebAssembly.Memory; readonly participant: number }
   | ({ readonly kind: 'port' } & PortTicket);

@@ -1,5 +1,5 @@
-// What comes through a port of the port link is another program's word: read before it is believed. A program speaks of what
-// it has made itself; whoever speaks of others' endpoints, or in no known form, is not heard any more.
+// Messages from a port of the port link come from another program, so they are validated before use. A program may only report
+// endpoints of its own; a participant that reports others' endpoints, or sends an unknown form, is ignored from then on.
 
 import { EndpointKind, frameHeaderSize } from '../../protocol/generated/constants.ts';
 import { checkDescription, checkNode } from './description_check.ts';
@@ -9,7 +9,7 @@ type Members = Readonly<Record<string, unknown>>;
 
 /** The word of a frame's header that has the writer's key. */
 const writerWord = 14;
-/** Of the page's look at topics. */
+/** Upper bound of the topics in one `sample` request of the page. */
 const mostNames = 100_000;
 
 function isMembers(value: unknown): value is Members {
@@ -76,7 +76,7 @@ const forms: Readonly<Record<PeerMessage['t'], (message: Members, participant: n
   bye: () => true,
 };
 
-/** What that participant has sent; undefined: no program of ours does. */
+/** The message of that participant; undefined: it is not valid, so it does not come from a program built by ros2wasm. */
 export function readPeer(participant: number, data: unknown): ArrayBuffer | PeerMessage | undefined {
   if (data instanceof ArrayBuffer) return isFrame(participant, data) ? data : undefined;
   if (!isMembers(data)) return undefined;

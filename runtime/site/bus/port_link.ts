@@ -40,7 +40,7 @@ export class PortLink implements Link {
   private readonly session: readonly [number, number];
   private readonly control: MessagePort;
   readonly consoleCredit = new LocalCredit();
-  /** Called when a peer sent what is no message of the link; it is not heard any more. */
+  /** Called when a peer sent what is not a message of the link; it is not heard any more. */
   strange: (participant: number) => void = () => undefined;
   private readonly peers = new Map<number, MessagePort>();
   readonly graphReplica = new Graph();
@@ -71,7 +71,7 @@ export class PortLink implements Link {
     for (const peer of peers) this.addPeer(peer);
   }
 
-  /** What this participant has made so far. */
+  /** The nodes and endpoints that this participant has created so far. */
   made(): PeerRecords {
     const nodes = [...this.graphReplica.nodes.values()].filter((node) => node.participant === this.participant);
     return { nodes, endpoints: [...this.own.values()].map(({ record }) => record) };

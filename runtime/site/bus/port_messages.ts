@@ -1,4 +1,4 @@
-// What travels between the workers on the port link, besides data. A data message is one ArrayBuffer: the 64-byte
+// The messages between the workers on the port link, besides data. A data message is one ArrayBuffer: the 64-byte
 // frame header and the payload. Everything else is one of these objects.
 
 import type { TimeLaw } from './time_law.ts';
@@ -9,20 +9,20 @@ export interface PeerPort {
   readonly port: MessagePort;
 }
 
-/** What a participant has made. */
+/** The nodes and endpoints that a participant has created. */
 export interface PeerRecords {
   readonly nodes: readonly NodeRecord[];
   readonly endpoints: readonly EndpointRecord[];
 }
 
-/** What a participant needs to join. */
+/** The data that a participant needs to join. */
 export interface PortTicket {
   readonly participant: number;
   readonly session: readonly [number, number];
   readonly time: TimeLaw;
   readonly control: MessagePort;
   readonly peers: readonly PeerPort[];
-  /** Of the page: known from the first instruction on, so that it hears of a program that ends at once, too. */
+  /** The page's records: known from the first instruction on, so that the page also hears of a program that ends at once. */
   readonly known: PeerRecords;
 }
 
@@ -30,7 +30,7 @@ export interface WriterSample {
   readonly key: number;
   readonly count: number;
   readonly bytes: number;
-  /** Of the last sample, ms since 1970. */
+  /** The time of the last sample, ms since 1970. */
   readonly time: number;
   /** The last payload, when it was asked for or is small. */
   readonly payload: Uint8Array | undefined;
@@ -44,7 +44,7 @@ export type PeerMessage =
   | { readonly t: 'ep-'; readonly key: number; readonly last?: WriterSample | undefined }
   /** The sender's endpoint `mine` knows the receiver's `yours`; of its frames those with a sequence above `after` are for it. */
   | { readonly t: 'match'; readonly mine: number; readonly yours: number; readonly after: number }
-  /** What a transient_local writer kept, for one reader. */
+  /** The samples that a transient_local writer has stored, for one reader. */
   | { readonly t: 'late'; readonly reader: number; readonly frames: readonly ArrayBuffer[] }
   /** All readers here are done with the samples of this writer up to `sequence` (low word). */
   | { readonly t: 'ack'; readonly writer: number; readonly sequence: number }

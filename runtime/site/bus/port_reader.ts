@@ -55,7 +55,7 @@ export class PortReader {
     this.sources.set(writer.key, { lifespanNs: Number(writer.qos.lifespan), newest: after });
   }
 
-  /** What has come stays. */
+  /** Samples that have arrived stay in the queue. */
   shut(writer: number): void {
     this.sources.delete(writer);
   }

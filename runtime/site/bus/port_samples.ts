@@ -1,5 +1,5 @@
-// What the page knows of the publishers elsewhere on the port link: what they answered, and what those that left did
-// last, which is kept until the page has looked twice.
+// The page's data about publishers elsewhere on the port link: their answers, and the last sample of each one that left,
+// which is stored until the page has looked twice.
 
 import { EndpointKind, flagHidden } from '../../protocol/generated/constants.ts';
 import type { EndpointRecord } from './graph.ts';

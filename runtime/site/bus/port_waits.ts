@@ -17,7 +17,7 @@ export class PortWaits {
   private readonly clock: SiteClock;
   private readonly waiters = new Set<() => void>();
   private readonly sleepers = new Set<() => void>();
-  /** Each looks anew when a suspension is over. */
+  /** Each one checks again when a suspension is over. */
   private readonly timed = new Set<() => void>();
   private turn: MessageChannel | undefined;
   private readonly turns: (() => void)[] = [];

@@ -129,7 +129,7 @@ export class PortWriter {
     }
   }
 
-  /** What it did so far; the last payload when it is `wanted` or small. */
+  /** The totals so far; with the last payload when it is `wanted` or small. */
   sample(wanted: boolean): WriterSample | undefined {
     if (this.last === undefined) return undefined;
     const { buffer } = this.last;

@@ -1,6 +1,6 @@
-// What the page shows of the topics: rates and last messages, read from beside the data path.
+// The data about topics that the page shows: rates and last messages, read without touching the data path.
 
-import { BusEndpoint, BusHeader, BusSizes, EndpointKind } from '../../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusSizes, BusSlot, EndpointKind } from '../../protocol/generated/constants.ts';
 import type { Broker } from './broker.ts';
 import { departedPublishers } from './bus_tables.ts';
 import type { EndpointRecord } from './graph.ts';
@@ -16,13 +16,13 @@ interface WriterCount {
   readonly bytes: number;
 }
 
-/** What is known of a topic as long as the session lives, whoever of its publishers still does. */
+/** The data of a topic for as long as the session lives, even when its publishers have left. */
 interface Known {
   readonly type: string;
   qos: readonly QosView[];
-  /** What each publisher had written when it was last looked at, by the key of its endpoint. */
+  /** The totals of each publisher at the last look, by the key of its endpoint. */
   readonly writers: Map<number, WriterCount>;
-  /** What those wrote that left. */
+  /** The sum of the totals of publishers that have left. */
   left: WriterCount;
   last: LastMessage | undefined;
 }
@@ -222,8 +222,8 @@ function readNewest<T>(
     const ring = bus.load(word + BusEndpoint.ring);
     if (ring === 0 || !ringFits(bus, ring)) return undefined;
     const slot = slotWord(bus, ring, head);
-    const frame = bus.load(slot + 1);
-    const length = bus.load(slot + 2);
+    const frame = bus.load(slot + BusSlot.frameUnit);
+    const length = bus.load(slot + BusSlot.length);
     const holds = (): boolean => bus.load(slot) === head
       && bus.load(word + BusEndpoint.ring) === ring
       && bus.load(word + BusEndpoint.generation) === record.key >>> 13;

@@ -1,5 +1,5 @@
-// The link over the shared bus. One instance per thread; the threads of a participant share what lies in the bus.
-// Discovery is the endpoint table: whoever changes it bumps the graph version and wakes those concerned.
+// The link over the shared bus. One instance per thread; the threads of a participant share the data in the bus.
+// Discovery is the endpoint table: a participant that changes it bumps the graph version and wakes those concerned.
 
 import {
   BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, ErrorCode, flagHidden, maxNameLength,
@@ -61,7 +61,7 @@ export class SharedLink implements Link {
   private readonly seenNodes: Int32Array;
   private readonly own = new Map<number, Own>();
   private readonly readers: Own[] = [];
-  /** What had something at the last look, when that was after event `lookedAt`; undefined: look at all. */
+  /** The readers that had data at the last look; valid until an event comes after `lookedAt`. undefined: look at all readers. */
   private hopeful: Own[] | undefined;
   private lookedAt = 0;
   private readonly statuses: SharedStatuses;
@@ -198,7 +198,7 @@ export class SharedLink implements Link {
 
   private departOwn(own: Own): void {
     if (!departEndpoint(this.bus, own.record.key, this.participant)) return;
-    // Who came since the last look counts on the event too.
+    // Endpoints that came since the last look must get the event, too.
     this.sync();
     this.wakeInterested(this.relatives(own.record));
     freeDeparted(this.bus, this.participant, this.departed);
@@ -226,7 +226,7 @@ export class SharedLink implements Link {
   }
 
   ready(): readonly number[] {
-    // Whoever has nothing gets a signal and an event when there is something: without an event, it still has nothing.
+    // A reader without data gets a signal and an event when data comes: without an event, it still has none.
     const token = this.wakeToken();
     this.sync();
     const looked = token === this.lookedAt && this.hopeful !== undefined ? this.hopeful : this.readers;
@@ -519,7 +519,7 @@ export class SharedLink implements Link {
     if (place >= 0) this.readers.splice(place, 1);
     this.hopeful = undefined;
     if (own.timing.ticks) this.statuses.ticker.follow(this.own.values());
-    // What the broker took from it this thread may be writing to right now: to free it is the broker's.
+    // After the broker has ended this participant, this thread may still be writing to the endpoint: then the broker frees it.
     if (!this.ended()) this.departed.set(key, own);
   }
 

@@ -1,11 +1,12 @@
 // The reading half of an endpoint on the shared bus: subscription, server (requests) or client (replies).
 // Keeps its place per writer in the bus, so that any thread of the participant may take.
 
-import { BusBlocked, BusEndpoint, BusSizes, Durability, EndpointKind, ErrorCode, History, keepAllLimit } from '../../protocol/generated/constants.ts';
+import { BusBlocked, BusEndpoint, BusSizes, BusSlot, Durability, EndpointKind, ErrorCode, History, keepAllLimit } from '../../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
+import { InfoWord } from './sample_info.ts';
 import { copyBytes, cursorTable, findCursor, frameFits, keyIndex, ringFits, ringLog2, slotWord, unit } from './shared_ring.ts';
 
 interface WriterRef {
@@ -141,8 +142,8 @@ export class SharedReader {
       if (writer === undefined) continue;
       const { slot, sequence } = this;
       // Read plainly: the slot is looked at again before they are used.
-      const frame = bus.i32[slot + 1]!;
-      const length = bus.i32[slot + 2]!;
+      const frame = bus.i32[slot + BusSlot.frameUnit]!;
+      const length = bus.i32[slot + BusSlot.length]!;
       // From here to the release no writer touches the frame: it looks at the hazard before it writes.
       bus.store(word + BusEndpoint.hazard, frame);
       const held = this.holds(writer);
@@ -182,7 +183,8 @@ export class SharedReader {
   }
 
   private expired(heap: Heap, info: number, lifespanNs: number): boolean {
-    const stamp = (heap.i32[info + 4]! >>> 0) + heap.i32[info + 5]! * 2 ** 32;
+    const at = info + InfoWord.sourceTimestamp;
+    const stamp = (heap.i32[at]! >>> 0) + heap.i32[at + 1]! * 2 ** 32;
     return this.clock.systemNs() - stamp > lifespanNs;
   }
 
@@ -212,14 +214,14 @@ export class SharedReader {
           continue;
         }
         const cursor = this.cursor(writer);
-        // The place of a writer that left stays here: whoever frees its entry looks whether all is read.
+        // The place of a writer that left stays here: the code that frees its entry checks whether all is read.
         if (head === cursor) continue;
         // At the memory's end: without a place for it, what is read would come again and again.
         if (move && writer.pair < 0 && !this.setCursor(writer, cursor)) continue;
         const sequence = this.firstValid(writer, cursor, head, move);
         if (sequence === undefined) continue;
         total += (head - sequence + 1) | 0;
-        const order = this.bus.i32[this.slot + 3]!;
+        const order = this.bus.i32[this.slot + BusSlot.order]!;
         if (best === undefined || ((order - bestOrder) | 0) < 0) {
           best = writer;
           bestSequence = sequence;
@@ -258,7 +260,7 @@ export class SharedReader {
       }
       const slot = slotWord(bus, ring, sequence);
       if (bus.load(slot) === sequence) {
-        const target = this.filter ? bus.i32[slot + 4]! : 0;
+        const target = this.filter ? bus.i32[slot + BusSlot.target]! : 0;
         if (target === 0 || target === this.record.key) {
           this.slot = slot;
           this.ring = ring;

@@ -9,7 +9,7 @@ import { type DerivedCount, type EventCount, readStatus, type StatusCounts } fro
 import { Ticker } from './ticker.ts';
 import type { Timing } from './timing.ts';
 
-/** What the statuses of an endpoint are made of. */
+/** The inputs from which the statuses of an endpoint are computed. */
 export interface StatusSource {
   readonly record: EndpointRecord;
   readonly word: number;

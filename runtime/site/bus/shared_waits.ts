@@ -82,7 +82,7 @@ export class SharedWaits {
     }
   }
 
-  /** As wait(), by real time, which matters to nobody else; so it is no wait in a stepped run. */
+  /** As wait(), but in real time, which does not affect others; so a stepped run does not wait here. */
   waitReally(token: number, timeoutMs: number): WaitResult {
     return this.turns === undefined ? this.blockOnce(token, timeoutMs) : WaitResult.timeout;
   }

@@ -3,7 +3,7 @@
 // may write; only the lists of matched readers are the thread's own.
 
 import {
-  BusBlocked, BusEndpoint, BusHeader, BusParticipant, BusRing, BusSizes, Durability, EndpointKind, ErrorCode, History,
+  BusBlocked, BusEndpoint, BusHeader, BusParticipant, BusRing, BusSizes, BusSlot, Durability, EndpointKind, ErrorCode, History,
   keepAllLimit, maxSampleLength, Reliability, serviceLimit,
 } from '../../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
@@ -11,6 +11,7 @@ import { BusCells } from './bus_cells.ts';
 import { putNanoseconds, type SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
+import { InfoWord, kGidWords, kInfoWords } from './sample_info.ts';
 import {
   copyBytes, findCursor, keyIndex, maxLog2, observed, packRing, ringBytes, ringFits, ringFramesOffset, ringGeneration, ringLog2,
   ringPage, slotWord, slotWords, unit,
@@ -26,7 +27,7 @@ interface ReaderRef {
   /** Newest samples the reader may still want; Infinity when it wants all. */
   readonly depth: number;
   readonly reliable: boolean;
-  /** Of a reader that asks for a deadline, which only a writer that offers one can match. */
+  /** Set when the reader asks for a deadline; only a writer that offers one can match it. */
   readonly deadline: { readonly ns: number; readonly cells: BusCells } | undefined;
   pair: number;
   /** It has read as far as this, or further; undefined: not asked yet. */
@@ -38,7 +39,7 @@ interface RetiredRun {
   readonly pages: number;
 }
 
-/** What the thread does when a writer must wait for a reader: 'stop' ends the wait, 'cannot' forbids it. */
+/** The action of the thread when a writer must wait for a reader: 'stop' ends the wait, 'cannot' forbids it. */
 export type Pause = (token: number, mostMs: number) => 'again' | 'stop' | 'cannot';
 
 const firstLog2 = 3;
@@ -123,7 +124,7 @@ export class SharedWriter {
     const { bus, word } = this;
     if (length > maxSampleLength) return ErrorCode.tooLarge;
     this.releaseRetired();
-    // What only its writers change is read plainly: calls on one endpoint are serialised by the caller.
+    // Words that only the writer's own threads change are read without Atomics: the caller serialises calls on one endpoint.
     const sequence = (bus.i32[word + BusEndpoint.head]! + 1) | 0;
     let frame = this.claimFrame(sequence, length);
     while (frame === ErrorCode.outOfMemory) {
@@ -137,10 +138,10 @@ export class SharedWriter {
     const slot = slotWord(bus, this.ring, sequence);
     const target = this.fill(heap, address, length, info, sequence, frame);
     const i32 = bus.i32;
-    i32[slot + 1] = frame;
-    i32[slot + 2] = length;
-    i32[slot + 3] = bus.add(BusHeader.order, 1);
-    i32[slot + 4] = target;
+    i32[slot + BusSlot.frameUnit] = frame;
+    i32[slot + BusSlot.length] = length;
+    i32[slot + BusSlot.order] = bus.add(BusHeader.order, 1);
+    i32[slot + BusSlot.target] = target;
     bus.store(slot, sequence);
     this.count(length);
     bus.store(word + BusEndpoint.head, sequence);
@@ -195,9 +196,9 @@ export class SharedWriter {
     for (let age = 2; age <= 1 << ringLog2(ring); age += 1) {
       const s = (sequence - age) | 0;
       const slot = slotWord(bus, ring, s);
-      if (bus.i32[slot + 5] === 0) continue;
+      if (bus.i32[slot + BusSlot.extentUnit] === 0) continue;
       const held = bus.load(slot) === s;
-      if (held && this.wanted(s, age, bus.load(slot + 4))) continue;
+      if (held && this.wanted(s, age, bus.load(slot + BusSlot.target))) continue;
       if (held) bus.store(slot, (s + 1) | 0);
       this.releaseExtent(slot);
       freed = true;
@@ -259,24 +260,26 @@ export class SharedWriter {
     const source = info >> 2;
     const h = offset >> 2;
     const given = heap.i32;
-    i32[h] = length;
-    i32[h + 1] = 0;
-    i32[h + 2] = sequence;
-    i32[h + 3] = high;
-    if (given[source + 4] === 0 && given[source + 5] === 0) {
-      putNanoseconds(i32, h + 4, this.clock.systemNs());
+    const stamp = InfoWord.sourceTimestamp;
+    const related = InfoWord.relatedSequence;
+    i32[h + InfoWord.length] = length;
+    i32[h + InfoWord.flags] = 0;
+    i32[h + InfoWord.sequence] = sequence;
+    i32[h + InfoWord.sequence + 1] = high;
+    if (given[source + stamp] === 0 && given[source + stamp + 1] === 0) {
+      putNanoseconds(i32, h + stamp, this.clock.systemNs());
     } else {
-      i32[h + 4] = given[source + 4]!;
-      i32[h + 5] = given[source + 5]!;
+      i32[h + stamp] = given[source + stamp]!;
+      i32[h + stamp + 1] = given[source + stamp + 1]!;
     }
     const client = record.kind === EndpointKind.client;
-    i32[h + 6] = client ? sequence : given[source + 6]!;
-    i32[h + 7] = client ? high : given[source + 7]!;
-    for (let i = 0; i < 4; i += 1) {
-      i32[h + 8 + i] = client ? record.gid[i]! : given[source + 8 + i]!;
-      i32[h + 12 + i] = record.gid[i]!;
+    i32[h + related] = client ? sequence : given[source + related]!;
+    i32[h + related + 1] = client ? high : given[source + related + 1]!;
+    for (let i = 0; i < kGidWords; i += 1) {
+      i32[h + InfoWord.relatedGid + i] = client ? record.gid[i]! : given[source + InfoWord.relatedGid + i]!;
+      i32[h + InfoWord.writerGid + i] = record.gid[i]!;
     }
-    for (let i = 0; i < 16; i += 1) given[source + i] = i32[h + i]!;
+    for (let i = 0; i < kInfoWords; i += 1) given[source + i] = i32[h + i]!;
     copyBytes(heap.u8, given, address, bus.u8, i32, offset + BusSizes.align, length);
     return record.kind === EndpointKind.server ? given[source + 10]! : 0;
   }
@@ -307,7 +310,7 @@ export class SharedWriter {
       const size = 1 << ringLog2(ring);
       const old = (sequence - size) | 0;
       const slot = slotWord(bus, ring, sequence);
-      if (bus.i32[slot] !== old || !this.wanted(old, size, bus.i32[slot + 4]!)) return 0;
+      if (bus.i32[slot] !== old || !this.wanted(old, size, bus.i32[slot + BusSlot.target]!)) return 0;
       if (size < this.sizeLimit(old)) {
         const made = this.newRing(ringLog2(ring) + 1, this.strideOf(ring), ring, sequence);
         if (made < 0) return made;
@@ -441,22 +444,22 @@ export class SharedWriter {
       const from = slotWord(bus, old, s);
       const to = slotWord(bus, ring, s);
       const { i32 } = bus;
-      const extent = i32[from + 5]!;
-      i32[to + 5] = extent;
-      i32[to + 6] = i32[from + 6]!;
+      const extent = i32[from + BusSlot.extentUnit]!;
+      i32[to + BusSlot.extentUnit] = extent;
+      i32[to + BusSlot.extentPages] = i32[from + BusSlot.extentPages]!;
       if (bus.load(from) !== s) continue;
-      const frame = i32[from + 1]!;
-      const length = i32[from + 2]!;
+      const frame = i32[from + BusSlot.frameUnit]!;
+      const length = i32[from + BusSlot.length]!;
       let moved = frame;
       if (frame !== extent) {
         moved = this.inlineFrame(ring, s);
         const bytes = BusSizes.align + length;
         bus.u8.copyWithin(moved * unit, frame * unit, frame * unit + bytes);
       }
-      bus.store(to + 1, moved);
-      bus.store(to + 2, length);
-      bus.store(to + 3, i32[from + 3]!);
-      bus.store(to + 4, i32[from + 4]!);
+      bus.store(to + BusSlot.frameUnit, moved);
+      bus.store(to + BusSlot.length, length);
+      bus.store(to + BusSlot.order, i32[from + BusSlot.order]!);
+      bus.store(to + BusSlot.target, i32[from + BusSlot.target]!);
       bus.store(to, s);
     }
   }
@@ -483,7 +486,7 @@ export class SharedWriter {
     }
     const pages = Math.ceil(bytes / BusSizes.page);
     if (!this.extentFits(slot, pages)) this.borrowExtent(ring, slot, sequence, pages);
-    if (this.extentFits(slot, pages)) return bus.i32[slot + 5]!;
+    if (this.extentFits(slot, pages)) return bus.i32[slot + BusSlot.extentUnit]!;
     this.releaseExtent(slot);
     const generous = pages > 8 ? pages + (pages >> 3) : pages;
     let page = bus.allocate(generous, record.key);
@@ -494,15 +497,15 @@ export class SharedWriter {
     }
     if (page < 0) return page;
     const frame = bus.pageOffset(page) / unit;
-    bus.i32[slot + 5] = frame;
-    bus.i32[slot + 6] = count;
+    bus.i32[slot + BusSlot.extentUnit] = frame;
+    bus.i32[slot + BusSlot.extentPages] = count;
     return frame;
   }
 
   private extentFits(slot: number, pages: number): boolean {
     const { i32 } = this.bus;
-    const frame = i32[slot + 5]!;
-    const has = i32[slot + 6]!;
+    const frame = i32[slot + BusSlot.extentUnit]!;
+    const has = i32[slot + BusSlot.extentPages]!;
     return frame !== 0 && has >= pages && has <= 4 * pages + 16 && this.bus.holds(frame * unit, has * BusSizes.page) && !this.inUse(frame, has * (BusSizes.page / unit));
   }
 
@@ -515,33 +518,33 @@ export class SharedWriter {
       const s = (sequence - age) | 0;
       const other = slotWord(bus, ring, s);
       const held = bus.load(other) === s;
-      if (i32[other + 5] === 0 || (held && this.wanted(s, age, bus.load(other + 4)))) continue;
+      if (i32[other + BusSlot.extentUnit] === 0 || (held && this.wanted(s, age, bus.load(other + BusSlot.target)))) continue;
       if (held) {
         bus.store(other, (s + 1) | 0);
         this.sync();
       }
       if (!this.extentFits(other, pages)) continue;
-      const frame = i32[slot + 5]!;
-      const count = i32[slot + 6]!;
-      i32[slot + 5] = i32[other + 5]!;
-      i32[slot + 6] = i32[other + 6]!;
-      i32[other + 5] = frame;
-      i32[other + 6] = count;
+      const frame = i32[slot + BusSlot.extentUnit]!;
+      const count = i32[slot + BusSlot.extentPages]!;
+      i32[slot + BusSlot.extentUnit] = i32[other + BusSlot.extentUnit]!;
+      i32[slot + BusSlot.extentPages] = i32[other + BusSlot.extentPages]!;
+      i32[other + BusSlot.extentUnit] = frame;
+      i32[other + BusSlot.extentPages] = count;
       return;
     }
   }
 
   private releaseExtent(slot: number): void {
     const { bus } = this;
-    const frame = bus.i32[slot + 5]!;
+    const frame = bus.i32[slot + BusSlot.extentUnit]!;
     if (frame === 0) return;
-    const pages = bus.i32[slot + 6]!;
-    bus.i32[slot + 5] = 0;
-    bus.i32[slot + 6] = 0;
+    const pages = bus.i32[slot + BusSlot.extentPages]!;
+    bus.i32[slot + BusSlot.extentUnit] = 0;
+    bus.i32[slot + BusSlot.extentPages] = 0;
     this.retire(bus.pageOf(frame * unit), pages);
   }
 
-  /** What no slot points to any more; a reader that came since the last look may have it in its hands. */
+  /** Frees pages that no slot points to any more, but later: a reader that came since the last look may still read them. */
   private retire(page: number, pages: number): void {
     this.retired.push({ page, pages });
     this.sync();

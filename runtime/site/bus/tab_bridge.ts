@@ -1,5 +1,5 @@
 // Joins this tab's graph with that of one other tab. Works in a worker of its own, so that no message passes the page.
-// What crosses is a frame as on the port link; the mirrors' own queues bound what waits for credit.
+// The frames are those of the port link; the queues of the mirrors bound the frames that wait for credit.
 
 import {
   Durability, EndpointKind, ErrorCode, flagIgnoreLocal, flagMirror, frameHeaderSize, History,
@@ -19,13 +19,13 @@ const farewellMs = 1000;
 /** Requests that a mirrored client remembers. */
 const mostCalls = 16384;
 
-/** An endpoint of ours for one of the other tab's. */
+/** An endpoint in this tab that represents one of the other tab. */
 interface Mirror {
   readonly remote: ExportedEndpoint;
   readonly handle: number;
   readonly record: EndpointRecord;
   readonly group: Group | undefined;
-  /** Of a client: our sequence number of a request -> the words of the caller's. */
+  /** For a client: the sequence number of a request here -> the two words of the caller's number. */
   readonly calls: Map<number, readonly [number, number]>;
   /** Came from over there, not yet written here. */
   readonly waiting: { readonly frame: ArrayBuffer; readonly group: string }[];
@@ -65,7 +65,7 @@ export class TabBridge implements Bridge {
   private readonly channel: BridgeChannel;
   private greeted = false;
   private closed = false;
-  /** What the other tab was told. */
+  /** The graph that the other tab was last sent: its version, nodes and endpoints. */
   private toldVersion: number | undefined;
   private readonly toldNodes = new Set<string>();
   private readonly told = new Map<number, EndpointRecord>();
@@ -223,7 +223,7 @@ export class TabBridge implements Bridge {
     if (group.crossed.size > 0) this.post({ t: 'forget', writers: [...group.crossed.keys()] });
   }
 
-  /** The mirror of a writer begins anew, with nothing kept. */
+  /** Recreates the mirror of a writer, without stored samples. */
   private renewMirror(key: number): void {
     const mirror = this.mirrors.get(key);
     if (mirror === undefined || mirror.remote.qos.durability !== Durability.transientLocal) return;
@@ -255,7 +255,7 @@ export class TabBridge implements Bridge {
       this.told.set(key, record);
     }
     const gone = [...this.told].filter(([key]) => !now.has(key));
-    // What a writer left behind crosses before its end.
+    // The remaining samples of a writer cross before its end.
     if (gone.length > 0) this.forward();
     const unread = new Set(this.link.ready().map((handle) => this.byHandle.get(handle)?.record.name));
     const nowMs = performance.now();
@@ -315,7 +315,7 @@ export class TabBridge implements Bridge {
     return true;
   }
 
-  /** Of the mirrors that a writer matches the one that wants most; replies go to the one that asked. */
+  /** The mirror that wants most, among those that the writer matches; replies go to the mirror that asked. */
   private carrier(group: Group, writer: number): Mirror | undefined {
     const record = this.told.get(writer);
     if (record === undefined) return group.mirrors[0];

@@ -60,7 +60,7 @@ export class Timing {
   private readonly cells: TimeCells;
   private readonly deadlineNs: number;
   private readonly own: Lease | undefined;
-  /** Of a reader: matched writers that must renew a lease. */
+  /** For a reader: the matched writers that must renew a lease. */
   private readonly leases = new Map<number, Lease>();
   private told = 0;
 

@@ -1,16 +1,16 @@
-// Stepped runs, as a program's worker sees them: whoever waits gives up its turn, and goes on when the page gives it
-// the next one. Nobody else runs in between, and time stands still while anybody does.
+// Stepped runs, as a program's worker sees them: a participant that waits gives up its turn, and continues when the page gives
+// it the next one. Nobody else runs in between, and time stands still while anybody does.
 
 import { BusParticipant } from '../../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 
-/** What a participant rests for; the page gives it a turn when one of these is there. */
+/** The events that a participant rests for; the page gives it a turn when one of them occurs. */
 export interface Rest {
   /** The site's steady time; Infinity: for an event only. */
   readonly untilNs: number;
-  /** Of the last event that it knows of; undefined: it sleeps, and no event wakes it. */
+  /** The number of the last event that it knows of; undefined: it sleeps, and no event wakes it. */
   readonly token: number | undefined;
-  /** Stops that it knows of. */
+  /** The number of stop requests that it knows of. */
   readonly stops: number;
 }
 

@@ -1,6 +1,6 @@
-// What the readers of a writer on the shared bus have not read, and when an endpoint that departed is freed.
+// Finds samples that the readers of a writer on the shared bus have not read, and frees endpoints that departed.
 
-import { BusEndpoint, BusHeader, BusPhase, BusSizes, EndpointKind, flagHidden } from '../../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusPhase, BusSizes, BusSlot, EndpointKind, flagHidden } from '../../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import { metBefore, readEndpoint, releaseEndpoint } from './bus_tables.ts';
 import { type EndpointRecord, relate, writes } from './graph.ts';
@@ -54,7 +54,7 @@ export function freeDeparted(
   return departed.size < before;
 }
 
-/** Of a server's replies a client reads its own only. */
+/** A client reads only its own replies among those of a server. */
 function hasReply(bus: Bus, server: EndpointRecord, client: number, cursor: number, head: number): boolean {
   const ring = bus.load(bus.endpointWord(keyIndex(server.key)) + BusEndpoint.ring);
   if (!ringFits(bus, ring)) return false;
@@ -63,7 +63,7 @@ function hasReply(bus: Bus, server: EndpointRecord, client: number, cursor: numb
     const sequence = (head - age) | 0;
     const slot = slotWord(bus, ring, sequence);
     bus.reach((slot << 2) + BusSizes.slot);
-    if (bus.load(slot) === sequence && bus.load(slot + 4) === client) return true;
+    if (bus.load(slot) === sequence && bus.load(slot + BusSlot.target) === client) return true;
   }
   return false;
 }

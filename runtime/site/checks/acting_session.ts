@@ -1,6 +1,6 @@
-// The session of a page whose site has tasks: it tells the tasks when the visitor acts on the site. Looking does not
-// count as an act: subscriptions, requests that change nothing, the time's controls. What the visitor did not ask for, such
-// as a bag that plays by itself, goes through `unattended`.
+// The session of a page whose site has tasks: it reports to the tasks when the visitor acts on the site. Looking does not
+// count as an act: subscriptions, requests that change nothing, the time's controls. Actions that the visitor did not ask for,
+// such as a bag that plays by itself, go through `unattended`.
 
 import type { PageActionClient, PageClient, PageNode, PagePublisher } from '../contract/page_node.ts';
 import type { NotebookKernel, Session, Sources } from '../contract/session.ts';

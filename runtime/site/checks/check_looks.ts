@@ -10,7 +10,7 @@ import type { CheckAim } from '../contract/site_checks.ts';
 export interface Look {
   /** Called at each beat of the site's time, and when the time is over. */
   look(): void;
-  /** What was seen so far, in words. */
+  /** The observations so far, in words. */
   seen(): string;
   close(): void;
 }
@@ -102,7 +102,7 @@ function messageLook({ topic, field, value: wanted }: Aim<'message'>, { session,
     }
     const value = valueAt(decoded.value, field);
     last = value === undefined ? `a message of type ${of} without ${field}`
-      : typeof value === 'object' ? `${field} is no single value` : shown(value);
+      : typeof value === 'object' ? `${field} is not a single value` : shown(value);
     if (value !== undefined && typeof value !== 'object' && meets(value, wanted)) met(last);
   };
   const look = (): void => {
@@ -142,7 +142,7 @@ function logLook({ node, log }: Aim<'log'>, { session, inTime, met }: LookPlace)
     }
   };
   const stops = consoles.map((console) => console.onLines(judge));
-  // What was printed before this look, but within its time; and what is not told yet, as lines are with the frames.
+  // Counts all lines again: those printed before this look but within its time, and those of this frame, not reported yet.
   const look = (): void => {
     count = 0;
     for (const console of consoles) judge(console.lines());
@@ -228,7 +228,7 @@ function stateLook(aim: Aim<'state'> | Aim<'exit_code'>, { session, inTime, met 
   };
   const isThere = (now: NodeState): boolean => {
     if (aim.kind === 'exit_code') return now.kind === 'exited' && now.code === aim.exitCode;
-    // Who ended has run.
+    // A node that has ended was running before.
     return now.kind === aim.state || (aim.state === 'running' && now.kind === 'exited');
   };
   const stop = session.onNodes(look);

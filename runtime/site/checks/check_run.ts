@@ -45,7 +45,7 @@ export class CheckRun implements SiteChecks {
   }
 
   views(): readonly CheckView[] {
-    // Whoever asks what was seen looks once more, which may decide: so all are asked before any is shown.
+    // seen() looks once more, which may decide a check: so it is called for all before any view is made.
     const looked = this.running.map(({ look, verdict }) => verdict === undefined ? look?.seen() : undefined);
     return this.running.map(({ check, verdict }, at) => ({
       title: checkTitle(check),
@@ -69,7 +69,7 @@ export class CheckRun implements SiteChecks {
     this.tell();
   }
 
-  /** What is not decided has failed: the run ends. */
+  /** Undecided checks fail, since the run ends. */
   end(): void {
     for (const running of this.running) if (running.verdict === undefined) this.decide(running, false, running.look?.seen() ?? '');
   }
@@ -147,14 +147,14 @@ export class CheckRun implements SiteChecks {
     for (const { look, verdict } of at === undefined ? this.running : this.running.slice(at, at + 1)) if (verdict === undefined) look?.close();
   }
 
-  /** What is decided while it is told is told after that, and once. */
+  /** A check that is decided during the listeners' calls is reported after them, once. */
   private tell(): void {
     this.news = true;
     if (this.telling) return;
     this.telling = true;
     try {
       while (this.news) {
-        // What the looks of views() decide is in what they give.
+        // views() may decide checks, and its result contains those decisions.
         const views = this.views();
         this.news = false;
         for (const listener of [...this.listeners]) listener(views);

@@ -1,4 +1,4 @@
-// What a check looks for and what it saw, in words; and whether a value is what it must be. Pure.
+// The aim and the observations of a check in words; and the comparison of a value with its conditions. Pure.
 
 import { unreachable } from '../contract/session.ts';
 import type { CheckAim, Comparison } from '../contract/site_checks.ts';
@@ -77,7 +77,7 @@ function same(value: unknown, wanted: boolean | number | string): boolean {
   return value === wanted || (typeof value === 'number' && typeof wanted === 'number' && value === Math.fround(wanted));
 }
 
-/** What stands at `pose.position.x` or `ranges[3]`; undefined: nothing. */
+/** The value at `pose.position.x` or `ranges[3]`; undefined: there is none. */
 export function valueAt(message: unknown, path: string): unknown {
   let value = message;
   for (const part of path.match(/[^.[\]]+/g) ?? []) {

@@ -10,7 +10,7 @@ function pattern(json: Json, key: string, what: string): string {
   try {
     new RegExp(value, 'u');
   } catch {
-    fail(`${what}.${key} is no regular expression: ${value}`);
+    fail(`${what}.${key} is not a regular expression: ${value}`);
   }
   return value;
 }
@@ -24,7 +24,7 @@ function readBounds(json: Json, what: string): { above?: number; below?: number 
 
 function readComparison(json: Json, what: string): Comparison {
   const { equals } = json;
-  if (!['boolean', 'number', 'string', 'undefined'].includes(typeof equals)) fail(`${what}.equals is no plain value`);
+  if (!['boolean', 'number', 'string', 'undefined'].includes(typeof equals)) fail(`${what}.equals is not a plain value`);
   return {
     ...readBounds(json, what),
     ...(equals === undefined ? {} : { equals: equals as boolean | number | string }),

@@ -11,7 +11,7 @@ export function readGiven(words: readonly string[]): ReadonlyMap<string, string>
   return new Map(words.map((word): [string, string] => {
     const at = word.indexOf(sign);
     if (at > 0) return [word.slice(0, at), word.slice(at + sign.length)];
-    throw new SiteError('R2W0730', `\`${word}\` is no launch argument`, { why: 'one is written as name:=value' });
+    throw new SiteError('R2W0730', `\`${word}\` is not a launch argument`, { why: 'one is written as name:=value' });
   }));
 }
 

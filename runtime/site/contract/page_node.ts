@@ -19,7 +19,7 @@ export interface EndpointQosView extends QosView {
   readonly leaseNs: number;
 }
 
-/** What is left out is as ROS 2's default: reliable, volatile, the last 10. */
+/** Members that are omitted have the ROS 2 defaults: reliable, volatile, the last 10. */
 export type QosRequest = Partial<EndpointQosView>;
 
 export interface SubscriptionRequest extends QosRequest {
@@ -31,7 +31,7 @@ export interface GraphEndpointView {
   /** Fully qualified. */
   readonly name: string;
   readonly type: string;
-  /** Of the type, `RIHS01_...`; empty when the endpoint did not say. */
+  /** The hash of the type, `RIHS01_...`; empty when the endpoint did not report one. */
   readonly hash: string;
   readonly qos: EndpointQosView;
   /** 32 hexadecimal digits. */
@@ -73,8 +73,8 @@ interface PageEndpoint {
 
 export interface PagePublisher extends PageEndpoint {
   /**
-   * What kept it from being sent; undefined: nothing. After close() too. A message that waits for room may yet not be
-   * sent: the next call tells why, in place of sending its own.
+   * Returns the error that kept the message from being sent; undefined: no error. May be called after close(), too.
+   * A message that waits for room may still fail: the next call then returns that error and does not send its own message.
    */
   publish(bytes: Uint8Array): SiteError | undefined;
 }
@@ -83,7 +83,7 @@ export interface MessageInfo {
   /** ms since 1970, by the site's time. */
   readonly publishedAt: number;
   readonly receivedAt: number;
-  /** Of the publisher; 32 hexadecimal digits. */
+  /** The publisher's gid; 32 hexadecimal digits. */
   readonly gid: string;
 }
 
@@ -93,7 +93,7 @@ export type MessageListener = (bytes: Uint8Array<ArrayBuffer>, info: MessageInfo
 export type PageSubscription = PageEndpoint;
 
 export interface CallOptions {
-  /** Of the site's time, for a server to come and to answer; 10 s when left out, Infinity: for ever. */
+  /** The limit in ms of site time for a server to appear and to answer; 10 s when omitted, Infinity: no limit. */
   readonly timeoutMs?: number;
   readonly signal?: AbortSignal;
 }

@@ -27,7 +27,7 @@ export const noRate: Rate = { hz: 0, bytesPerSecond: 0 };
 export class RateWindow {
   private marks: Mark[] = [];
 
-  /** What was published in all, and when the newest was; looked at as often as one likes. */
+  /** Records the totals so far and the time of the newest message. It may be called at any pace. */
   add(count: number, bytes: number, time: number): void {
     const last = this.marks.at(-1);
     if (last?.count === count) return;

@@ -38,7 +38,7 @@ export class RunningSha256 {
     }
   }
 
-  /** Of all bytes so far; more may come. */
+  /** The hash of all bytes so far; more may be added. */
   hex(): string {
     const end = new RunningSha256();
     end.state = this.state.slice();

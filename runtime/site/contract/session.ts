@@ -1,4 +1,4 @@
-// What the page (and any other host of a site) sees of a running site: its nodes, consoles and topics.
+// The view that the page (and any other host of a site) has of a running site: its nodes, consoles and topics.
 // Types only, plus unreachable(); launcher.ts makes Sessions.
 
 import type { NotebookKernel, SiteNotebook } from './notebook.ts';
@@ -28,13 +28,13 @@ interface LaunchStepAt {
   readonly source?: SourcePlace;
 }
 
-/** What the launcher does beside starting nodes. */
+/** The actions of the launcher besides starting nodes. */
 export type LaunchStep = LaunchStepAt & (
   | { readonly do: 'log'; readonly level: string; readonly text: string }
   | { readonly do: 'shutdown'; readonly reason: string }
   /** The node with that id is told to end. */
   | { readonly do: 'end'; readonly node: string }
-  /** Of the managed node with that id and full name; as lifecycle_msgs/msg/Transition numbers them, one after the other. */
+  /** Transitions of the managed node with that id and full name, in this order; the numbers are of lifecycle_msgs/msg/Transition. */
   | { readonly do: 'transition'; readonly node: string; readonly name: string; readonly transitions: readonly number[] }
 );
 
@@ -50,20 +50,20 @@ export interface SiteFile {
 export interface LaunchArgument {
   readonly name: string;
   readonly value: string;
-  /** Of the launch file. */
+  /** The default in the launch file. */
   readonly default?: string;
-  /** What the site starts with when its address gives none. */
+  /** The value that the site starts with when its URL gives none. */
   readonly packed?: string;
   readonly description: string;
   /** Empty: any value. */
   readonly choices: readonly string[];
 }
 
-/** Who answers for the launch file's Python. */
+/** The part of a site that evaluates the Python of its launch file. */
 export interface LaunchPython {
-  /** Arguments of which it was asked each value when the site was packed. */
+  /** Arguments for which every value was evaluated in Python when the site was packed. */
   readonly tried: readonly string[];
-  /** Pyodide in the site, which runs it anew for other values; undefined: what it answered stands. */
+  /** Pyodide in the site, which evaluates the file again for other values; undefined: the answers of packing stay. */
   readonly program?: string;
   readonly archives: readonly string[];
 }
@@ -82,11 +82,11 @@ export interface LaunchView {
   readonly evaluator: string;
   /** With their present values. */
   readonly arguments: readonly LaunchArgument[];
-  /** What its evaluation had to say, if there was one. */
+  /** Messages of the evaluation, if there was one. */
   readonly notes: readonly string[];
-  /** Something is as it was for other values, because only Python could tell. */
+  /** Some parts are still evaluated for other values, because only Python could decide them. */
   readonly decided: boolean;
-  /** Python was run anew for these values. */
+  /** Python ran again for these values. */
   readonly reran: boolean;
   /** undefined: the launch file asks no Python. */
   readonly python?: LaunchPython;
@@ -132,11 +132,11 @@ export interface SiteDescription {
   readonly packages: readonly string[];
   /** The Python files of the workspace; undefined: none. */
   readonly sources?: SiteSources;
-  /** What must be seen while it runs. */
+  /** The author's checks, which must pass while the site runs. */
   readonly checks: readonly SiteCheck[];
   /** The tasks that a student does in it. */
   readonly tasks: readonly SiteTask[];
-  /** What the page's notebook needs; undefined: there is none. */
+  /** The site's notebook; undefined: there is none. */
   readonly notebook?: SiteNotebook;
   readonly ui: Readonly<Record<string, unknown>>;
   /** Origins of pages that may act on the site when they show it in a frame; `*`: every page. */
@@ -203,11 +203,11 @@ export interface AddedNode {
   readonly onEnd: (state: Extract<NodeState, { readonly kind: 'exited' | 'crashed' }>) => void;
 }
 
-/** What `ros2 launch` asks for: the launch file's nodes, beside those of the site. */
+/** A request of `ros2 launch`: it starts the nodes of the launch file, besides those of the site. */
 export interface LaunchRequest {
-  /** Those that are left out are as the site has them. */
+  /** Arguments that are omitted have the values of the site. */
   readonly arguments: ReadonlyMap<string, string>;
-  /** What one of them prints. */
+  /** Called with the lines that one of the nodes prints. */
   readonly onLines: (node: SiteNode, lines: readonly Pick<ConsoleLine, 'stream' | 'text'>[]) => void;
   /** Each kind of state once, as it comes. */
   readonly onNode: (node: SiteNode, state: NodeState) => void;
@@ -260,7 +260,7 @@ export interface TopicView {
   readonly bytesPerSecond: number;
   /** Messages since the session began, also those of publishers that left. */
   readonly count: number;
-  /** Of the publishers, or of the last ones when none is left; without repetition. */
+  /** The QoS profiles of the publishers, or of the last ones when none is left; each once. */
   readonly qos: readonly QosView[];
 }
 
@@ -297,7 +297,7 @@ export interface SiteTime {
 /** A run in which one node runs at a time and time is held at first: every run of a seed sends the same messages. */
 export interface SteppedRun {
   readonly seed: number;
-  /** What was sent so far: as many messages, and the sha256 of the file that `ros2wasm run --trace` writes. */
+  /** The messages sent so far: their number, and the sha256 of the file that `ros2wasm run --trace` writes. */
   trace(): { readonly messages: number; readonly sha256: string };
 }
 
@@ -311,7 +311,7 @@ export interface WrittenFile {
 }
 
 export interface Written {
-  /** What came since it was last called; it is kept no longer. */
+  /** Returns the files that came since the last call, and removes them from here. */
   take(): readonly WrittenFile[];
   onChange(listener: () => void): Unsubscribe;
 }
@@ -346,7 +346,7 @@ export interface Session {
   /** At most once per animation frame. */
   onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe;
   console(id: string): ConsoleLog;
-  /** What the launch file says while the site runs, and what went wrong with what it does. */
+  /** The output of the launch file's actions while the site runs, and their errors. */
   readonly launchLog: ConsoleLog;
   /** Sampled 4 times per second while someone listens. A topic stays when its publishers have left, with its last message. */
   topics(): readonly TopicView[];
@@ -355,7 +355,7 @@ export interface Session {
   lastMessage(topic: string): LastMessage | undefined;
   /** Type name -> definition text; fetched at the first call. The same map at each, which learn() makes larger. */
   interfaces(): Promise<ReadonlyMap<string, string>>;
-  /** Definitions from elsewhere, as a bag brings them: those of types that the site knows itself are left out. */
+  /** Definitions from elsewhere, as a bag brings them: those of types that the site knows itself are skipped. */
   learn(definitions: ReadonlyMap<string, string>): Promise<void>;
   /** The bags that nodes have written. */
   readonly written: Written;

@@ -1,8 +1,8 @@
-// What must be seen while a site runs, and how far that is. Types only; check_run.ts looks.
+// The checks of a site, which must pass while it runs, and their progress. Types only; check_run.ts evaluates them.
 
 import type { SourcePlace, Unsubscribe } from './site_nodes.ts';
 
-/** What a value must be: all that is given. */
+/** The conditions for a value: all that are given must hold. */
 export interface Comparison {
   readonly above?: number;
   readonly below?: number;
@@ -25,7 +25,7 @@ export interface SiteCheck {
   /** The author's words; empty: none. */
   readonly title: string;
   readonly aim: CheckAim;
-  /** Of the site's time, from when the first node starts. */
+  /** ms of site time, from the start of the first node. */
   readonly withinMs: number;
   readonly source?: SourcePlace;
 }

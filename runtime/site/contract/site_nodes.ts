@@ -1,5 +1,7 @@
 // The programs of a site, the nodes that run them, and the states of nodes.
 
+import type { DiagnosticCode } from './diagnostic_codes.ts';
+
 export type Unsubscribe = () => void;
 
 /** A place in the manifest or a launch file. Lines and columns count from 1. */
@@ -94,7 +96,7 @@ export interface OutputMoment extends HowOften {
   readonly tests: readonly LineTest[];
 }
 
-/** A change of a managed node's state, by labels; those that are left out may be any. */
+/** A change of a managed node's state, by labels; those that are skipped may be any. */
 export interface StateMoment extends HowOften {
   readonly event: 'transition';
   readonly node: string;
@@ -112,4 +114,4 @@ export type NodeState =
   | { readonly kind: 'starting' }
   | { readonly kind: 'running' }
   | { readonly kind: 'exited'; readonly code: number }
-  | { readonly kind: 'crashed'; readonly message: string; readonly code: string };
+  | { readonly kind: 'crashed'; readonly message: string; readonly code: DiagnosticCode };

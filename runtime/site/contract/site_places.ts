@@ -1,6 +1,6 @@
 // Where the files of a site lie. Most sites have them beside site.json, under their paths. Sites that share a store have
 // there, under its sha256, what does not belong to them alone; and a file that is too large for a host lies in parts.
-// bundler/plan/site_place.cpp is the same in C++.
+// bundler/site/site_place.cpp is the same in C++.
 
 export interface SiteStore {
   /** Relative to site.json, with "/" at the end. */
@@ -31,7 +31,7 @@ export interface Place {
 
 const hash = /^[0-9a-f]{64}$/;
 
-/** undefined: it is no store that `ros2wasm pack` writes. */
+/** undefined: it is not a store that `ros2wasm pack` writes. */
 export function readStore(value: unknown): SiteStore | undefined {
   if (typeof value !== 'object' || value === null) return undefined;
   const { objects, scripts } = value as { readonly objects?: unknown; readonly scripts?: unknown };

@@ -79,7 +79,7 @@ function readStep(value: unknown, what: string): LaunchStep {
       return { do: kind, node: text(json, 'node', what), ...at };
     case 'transition': {
       const id = (item: unknown, where: string): number =>
-        (typeof item === 'number' && Number.isInteger(item) && item >= 0 && item < 256 ? item : fail(`${where} is no transition`));
+        (typeof item === 'number' && Number.isInteger(item) && item >= 0 && item < 256 ? item : fail(`${where} is not a transition`));
       return { do: kind, node: text(json, 'node', what), name: text(json, 'name', what), transitions: list(json, 'transitions', what, id), ...at };
     }
     default:
@@ -131,7 +131,7 @@ function readNode(value: unknown, what: string): SiteNode {
 
 function readHash(json: Json, what: string): string {
   const hash = text(json, 'sha256', what);
-  return /^[0-9a-f]{64}$/.test(hash) ? hash : fail(`${what}.sha256 is no sha256`);
+  return /^[0-9a-f]{64}$/.test(hash) ? hash : fail(`${what}.sha256 is not a sha256`);
 }
 
 function readPart(value: unknown, what: string): FilePart {
@@ -159,7 +159,7 @@ export function readNodes(value: unknown): readonly SiteNode[] {
   const ids = new Set(nodes.map((node) => node.id));
   if (ids.size !== nodes.length) fail('two nodes have the same id');
   for (const { startOn } of nodes) {
-    if (startOn !== undefined && !ids.has(startOn.node)) fail(`the launch speaks of ${startOn.node}, which is no node of the site`);
+    if (startOn !== undefined && !ids.has(startOn.node)) fail(`the launch speaks of ${startOn.node}, which is not a node of the site`);
   }
   return nodes;
 }
@@ -168,7 +168,7 @@ export function readNodes(value: unknown): readonly SiteNode[] {
 export function readSteps(value: unknown, nodes: ReadonlySet<string>): readonly LaunchStep[] {
   const steps = list(object(value, 'site.launch'), 'steps', 'site.launch', readStep);
   for (const of of steps.flatMap((step) => [step.on?.node, step.do === 'transition' || step.do === 'end' ? step.node : undefined])) {
-    if (of !== undefined && !nodes.has(of)) fail(`the launch speaks of ${of}, which is no node of the site`);
+    if (of !== undefined && !nodes.has(of)) fail(`the launch speaks of ${of}, which is not a node of the site`);
   }
   return steps;
 }
@@ -265,7 +265,7 @@ export function readSite(value: unknown): SiteDescription {
   const launchSteps = readSteps(json['launch'] ?? {}, ids);
   const launchFile = readLaunchFile(json['launch'] ?? {});
   const interfaces = text(json, 'interfaces', 'site', '');
-  const store = json['store'] === undefined ? undefined : readStore(json['store']) ?? fail('site.store is no store of objects');
+  const store = json['store'] === undefined ? undefined : readStore(json['store']) ?? fail('site.store is not a store of objects');
   return {
     protocol,
     generator: text(json, 'generator', 'site', ''),

@@ -20,14 +20,14 @@ export interface SiteSources {
 export interface SourceView extends SiteSource {
   /** "outdated": the visitor's text was made of another version of the file, and no node gets it. */
   readonly state: 'packed' | 'changed' | 'outdated';
-  /** Of the visitor's text, when there is one. */
+  /** The hash of the visitor's text, when there is one. */
   readonly changedSha256?: string;
 }
 
 /** "visit": only until the page is closed, as the browser keeps nothing. "too_long": not at all. */
 export type SourceKept = 'kept' | 'visit' | 'too_long';
 
-/** What the visitor changes is for this browser and this site only. Nodes get it when they start. */
+/** The visitor's changes are for this browser and this site only. Nodes get them when they start. */
 export interface Sources {
   /** As the workspace names them, sorted. */
   list(): readonly SourceView[];
@@ -41,10 +41,10 @@ export interface Sources {
   onChange(listener: () => void): () => void;
 }
 
-/** What a worker is told of them. */
+/** The information about the sources that a worker gets. */
 export interface SourceStart {
-  /** Of all of them it tells when the program reads one. */
+  /** Paths that the worker reports when the program reads them. */
   readonly watched: readonly string[];
-  /** Those that are to be other than packed. */
+  /** Texts that replace the packed ones, by path. */
   readonly changed: ReadonlyMap<string, string>;
 }

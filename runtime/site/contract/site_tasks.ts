@@ -1,5 +1,5 @@
-// What a student is asked to do in a site, and how far that is. Types only; task_run.ts looks, acting_session.ts tells it
-// what the student does.
+// The tasks of a student in a site, and their progress. Types only; task_run.ts evaluates them, acting_session.ts reports to it
+// the student's actions.
 
 import type { CheckAim } from './site_checks.ts';
 import type { SourcePlace, Unsubscribe } from './site_nodes.ts';
@@ -27,7 +27,7 @@ export interface TaskCheckView {
   readonly title: string;
   /** "already": it was seen before the student did anything, and so proves nothing yet. */
   readonly state: 'open' | 'already' | 'passed';
-  /** What was seen so far, or what decided it. */
+  /** The last observed value, or the one that decided the check. */
   readonly seen: string;
   readonly source?: SourcePlace;
 }

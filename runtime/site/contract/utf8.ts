@@ -17,7 +17,7 @@ export function decodeUtf8(bytes: Uint8Array): string {
   };
   let point = 0;
   let missing = 0;
-  // What the next byte of a sequence may be.
+  // The limits of the next byte of a sequence.
   let least = 0x80;
   let most = 0xbf;
   for (let i = 0; i < bytes.length; i += 1) {

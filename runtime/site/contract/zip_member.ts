@@ -1,4 +1,4 @@
-// One file of a zip archive as `pack` writes them: stored as it is, in less than 4 GB. What is no such archive has none.
+// One file of a zip archive as `pack` writes them: stored as it is, in less than 4 GB. Other archives give no file.
 
 const endMark = 0x06054b50;
 const entryMark = 0x02014b50;

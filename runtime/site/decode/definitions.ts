@@ -55,7 +55,7 @@ export function gatherSchema(type: string, interfaces: Definitions): string | un
   }).join(kSeparator);
 }
 
-/** The types in a schema of a bag, by their full names; `type` is that of the first. What has no form is left out. */
+/** The types in a schema of a bag, by their full names; `type` is that of the first. Parts without a valid form are skipped. */
 export function splitSchema(type: string, schema: string): Map<string, string> {
   const found = new Map<string, string>();
   for (const [index, part] of schema.replaceAll('\r\n', '\n').split(/^={3,}$\n?/m).entries()) {

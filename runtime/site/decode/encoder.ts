@@ -1,5 +1,5 @@
-// Turns plain values into the bytes of a message (CDR). What is left out takes its default; what does not fit its
-// field gives an error value with the field's path. Not @foxglove's MessageWriter: that writes what does not fit
+// Turns plain values into the bytes of a message (CDR). A field that is omitted takes its default; a value that does not fit
+// its field gives an error with the field's path. @foxglove's MessageWriter is not used: it writes misfits
 // as something else, and cuts texts that are not ASCII.
 
 import { CdrWriter } from '@foxglove/cdr';
@@ -60,7 +60,7 @@ function writeMessage(writer: CdrWriter, shape: Shape, value: unknown, path: str
   const known = new Set(shape.map(({ name }) => name));
   const stranger = Object.keys(given).find((name) => !known.has(name));
   if (stranger !== undefined) throw new Misfit(join(path, stranger), 'there is no such field');
-  // What a message without fields has on the wire.
+  // A message without fields has one byte on the wire.
   if (shape.length === 0) writer.uint8(0);
   for (const field of shape) {
     const at = join(path, field.name);

@@ -43,11 +43,11 @@ function plain(value: unknown): unknown {
 }
 
 export interface Fill {
-  /** What `stamp: now` and `header: auto` become; undefined: these words mean nothing. */
+  /** The time for `stamp: now` and `header: auto`; undefined: these words have no special meaning. */
   readonly now?: { readonly sec: number; readonly nanosec: number };
 }
 
-/** A message's fields out of YAML. What cannot be made to fit is left for the encoder to refuse. */
+/** Reads a message's fields from YAML. Values that do not fit are left for the encoder to refuse. */
 export function readMessage(text: string, shape: Shape, fill: Fill = {}): ReadValue {
   const read = readYaml(text);
   if (read.kind === 'failed') return read;

@@ -9,7 +9,7 @@ export interface NameProblem {
 
 const longestTopic = 247;
 
-/** What is wrong with a fully qualified name of a topic, service or action; undefined: nothing. */
+/** The problem of a fully qualified name of a topic, service or action; undefined: the name is valid. */
 export function checkFullName(name: string): NameProblem | undefined {
   const found = (what: string, place: number): NameProblem => ({ what: `topic name ${what}`, place });
   if (name === '') return found('must not be empty string', 0);
@@ -40,7 +40,7 @@ export function isHiddenName(name: string): boolean {
   return name.split('/').some((token) => token.startsWith('_'));
 }
 
-/** `std_msgs/String` and `std_msgs/msg/String` mean the same; undefined: that is no name of a type. */
+/** `std_msgs/String` and `std_msgs/msg/String` mean the same; undefined: that is not a name of a type. */
 export function fullTypeName(name: string, kind: 'msg' | 'srv' | 'action' = 'msg'): string | undefined {
   const tokens = name.split('/');
   if (!tokens.every((token) => /^[A-Za-z][A-Za-z0-9_]*$/.test(token))) return undefined;

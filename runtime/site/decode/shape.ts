@@ -1,4 +1,4 @@
-// What the fields of a message are: kept beside its values, since a value alone does not tell that a
+// The types of a message's fields, stored beside its values: a value alone does not tell that a
 // `1` is a float64, and to show type names. Built once per type.
 
 export interface Constant {
@@ -14,7 +14,7 @@ export interface Field {
   /** As in the definition, without array bounds: `float64`, `geometry_msgs/msg/Point`, `time`. */
   readonly type: string;
   readonly isArray: boolean;
-  /** Of an array with a fixed number of items. */
+  /** The number of items of an array with a fixed length. */
   readonly length?: number;
   /** The most items that an array may have. */
   readonly mostItems?: number;
@@ -23,7 +23,7 @@ export interface Field {
   readonly defaultValue?: DefaultValue;
   /** The fields inside, when the type is a message. */
   readonly shape: Shape | null;
-  /** Of the message inside. */
+  /** The constants of the message type of this field. */
   readonly constants?: readonly Constant[];
 }
 

@@ -1,10 +1,11 @@
-// Evaluates the site's launch file with launch arguments of the visitor's: runs launch_evaluator.wasm, the same code that
-// packed the site, and fetches the files that the arguments lead to. What only Python can decide is asked of Python again
-// where the site has it (launch_worker.ts). Nothing of it is loaded without such arguments.
+// Evaluates the site's launch file with the visitor's launch arguments: runs launch_evaluator.wasm, the same code that
+// packed the site, and fetches the files that the arguments lead to. Parts that only Python can decide are evaluated in Python
+// again where the site has it (launch_worker.ts). Nothing of it is loaded without such arguments.
 
 import { type Evaluate, openEvaluator } from './launch_evaluator.ts';
 import { askWithPython } from '../workers/launch_worker.ts';
 import type { Platform } from '../workers/platform.ts';
+import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
 import type { LaunchView, SiteDescription } from '../contract/session.ts';
 import { SiteError } from '../contract/site_error.ts';
 import { readArguments, readNodes, readSteps } from '../contract/site_reader.ts';
@@ -27,19 +28,19 @@ function textOf(json: Json, key: string): string {
   return typeof value === 'string' ? value : '';
 }
 
-/** The first of the evaluator's findings; the others are further reasons. */
+/** The first of the evaluator's findings, whose codes are those of the command line; the others are further reasons. */
 function refusal(errors: readonly Json[]): SiteError {
   const [first = {}, ...more] = errors;
   const source = first['source'] as Json | undefined;
   const place = source === undefined ? undefined : `${textOf(source, 'file')}:${String(source['line'])}:${String(source['column'])}`;
-  return new SiteError(textOf(first, 'code'), textOf(first, 'message'), {
+  return new SiteError(textOf(first, 'code') as DiagnosticCode, textOf(first, 'message'), {
     why: [...textsOf(first['why']), ...more.map((one) => textOf(one, 'message'))],
     fix: [...textsOf(first['fix']), 'correct the launch arguments, or leave them out to start the site as it was made'],
     ...(place === undefined ? {} : { place }),
   });
 }
 
-/** What the evaluator is asked beside launch.json and files. */
+/** The question for the evaluator, besides launch.json and files. */
 interface LaunchQuestion {
   readonly given: Readonly<Record<string, string>>;
   readonly describe?: boolean;
@@ -100,7 +101,7 @@ export async function siteWithArguments(
   const available = site.files.map(({ path }) => path).filter((path) => path.startsWith(shared));
   const question = { given: Object.fromEntries(given) };
   const packed = await askEvaluator(await openEvaluator(module), data, question, available, text);
-  // What Python answered for these values when the site was packed, it would answer again.
+  // Python would answer the same again for the values that it had when the site was packed, so it runs for other values only.
   const reran = packed['decided'] === true && launch.python?.program !== undefined;
   const answer = accepted(reran ? (await askWithPython(site, launch, data, restOf(question, available), platform)) as Json : packed);
   const nodes = readNodes(answer);
@@ -118,7 +119,7 @@ export async function siteWithArguments(
       const packed = packedWith.get(one.name) ?? one.default;
       return packed === undefined ? one : { ...one, packed };
     }),
-    notes: [...(without === 0 ? [] : [`${without} of ${site.checks.length} checks are left out: their nodes do not run`]), ...listOf(answer['warnings']).map((one) => textOf(one, 'message')), ...textsOf(answer['remarks'])],
+    notes: [...(without === 0 ? [] : [`${without} of ${site.checks.length} checks are skipped: their nodes do not run`]), ...listOf(answer['warnings']).map((one) => textOf(one, 'message')), ...textsOf(answer['remarks'])],
     decided: answer['decided'] === true,
     reran,
   };

@@ -1,5 +1,5 @@
 // launch_evaluator.wasm by itself, for as many questions as one likes. JSON in, JSON out; of the world only what the place
-// gives (bundler/launch/launch_start.hpp).
+// gives (bundler/render/launch_start.hpp).
 
 import { SiteError } from '../contract/site_error.ts';
 

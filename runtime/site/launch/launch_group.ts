@@ -16,7 +16,7 @@ export interface LaunchGroupHost {
   readonly pageNode: () => PageNode;
 }
 
-/** What a runner tells of one of the group's nodes. */
+/** The callbacks of a runner for one of the group's nodes. */
 export interface RunnerTold {
   readonly changed: () => void;
   readonly happened: (event: 'start' | 'exit' | 'stop') => void;

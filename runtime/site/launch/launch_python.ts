@@ -1,6 +1,6 @@
-// Runs the launch files in Python of a site anew, in a worker of their own: Pyodide and the evaluator beside each other, so
-// that one can ask the other. What Python sees is what it saw when the site was packed (templates/python/read_launch.mjs):
-// the files of the site, to be read, a date that stands still, and no JavaScript.
+// Runs the Python launch files of a site again, in a worker of their own: Pyodide and the evaluator beside each other, so
+// that one can ask the other. Python has the same view as when the site was packed (templates/python/read_launch.mjs):
+// the site's files, read-only, a date that stands still, and no JavaScript.
 
 import type { PyCallable, PyProxy } from 'pyodide/ffi';
 import { openEvaluator } from './launch_evaluator.ts';
@@ -35,7 +35,7 @@ function sha256Of(bytes: Uint8Array): string {
   return sum.hex();
 }
 
-/** What is another file than the one that was packed, is not there. */
+/** A file that differs from the packed one is treated as missing. */
 function verified(readNow: ReadNow, listed: readonly SiteFile[]): ReadNow {
   const hashes = new Map(listed.map(({ path, sha256 }) => [path, sha256]));
   return (place, path) => {

@@ -1,6 +1,7 @@
-// What the launcher does beside starting nodes, and when: lines, transitions of managed nodes and the end of all, as the
-// launch file says; and which nodes start when others have started, ended or changed their state.
+// The actions of the launcher besides starting nodes, and their times: lines, transitions of managed nodes and the shutdown,
+// as in the launch file; and the nodes that start when others have started, ended or changed their state.
 
+import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
 import {
   changeStateRequest, changeStateSucceeded, changeStateType, readTransitionEvent, transitionEventType, type StateChange,
 } from './lifecycle_messages.ts';
@@ -25,11 +26,11 @@ const printedLine = '\u2039what it prints\u203a';
 
 /** In a text that is said at the end of all: where its reason stands. events/__init__.py and launch_step.hpp know it too. */
 const shutdownReason = '\u2039why all ends\u203a';
-/** Of a shutdown that gives none, as launch says. */
+/** The reason of a shutdown that gives none, in the words of launch. */
 export const noReason = 'reason not given';
-/** Of a launch that is told to end from outside. */
+/** The reason of a launch that is stopped from outside. */
 export const interruptedReason = 'ctrl-c (SIGINT)';
-/** Of a launch in which nothing runs any more. */
+/** The reason of a launch in which no node runs any more. */
 export const idleReason = 'idle';
 
 function fits(line: string, { how, text, anyCase, holds }: LineTest): boolean {
@@ -82,7 +83,7 @@ export class LaunchSteps {
   /** Ends what is heard of managed nodes. */
   private readonly hearing: (() => void)[] = [];
   private hears = false;
-  /** What calls off a step that is yet to come. */
+  /** The function that cancels a step that is still to come -> that step. */
   private readonly pending = new Map<() => void, LaunchStep>();
   private readonly talks = new Set<Talk>();
   /** Transitions that wait until their node runs. */
@@ -92,7 +93,7 @@ export class LaunchSteps {
   private readonly over = new Set<number>();
   /** Nodes that were told to end by the launch, which is an end like any other. */
   private readonly ending = new Set<string>();
-  /** Whose lines are looked at. */
+  /** Ids of the nodes whose output lines are tested. */
   private readonly printing: ReadonlySet<string>;
   private begun = false;
   private ended = false;
@@ -296,7 +297,7 @@ export class LaunchSteps {
     }
   }
 
-  private fail(code: string, text: string): void {
+  private fail(code: DiagnosticCode, text: string): void {
     if (!this.ended) this.host.say('ERROR', 'launch', `error[${code}]: ${text}`);
   }
 
@@ -313,7 +314,7 @@ export class LaunchSteps {
     for (const talk of this.talks) if (talk.node === node) talk.abandoned.abort();
   }
 
-  /** Of managed nodes whose changes are followed, from before they start. */
+  /** Follows the transitions of managed nodes that others depend on, from before the nodes start. */
   private hear(): void {
     this.hears = true;
     const names = new Map<string, string>();

@@ -28,7 +28,7 @@ export function changeStateSucceeded(bytes: Uint8Array): boolean {
   return bytes[headerSize] === 1;
 }
 
-/** Of lifecycle_msgs/msg/TransitionEvent; undefined when it is none. */
+/** Reads a lifecycle_msgs/msg/TransitionEvent; undefined: the bytes are not a valid one. */
 export function readTransitionEvent(bytes: Uint8Array): StateChange | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.byteLength < headerSize) return undefined;

@@ -144,7 +144,7 @@ class Goal implements PageGoal {
   private last: GoalStatus = 'unknown';
   private givenUp = false;
   private finished = false;
-  /** What came before the server's answer, on other ways; undefined once it is there. */
+  /** Callbacks for feedback and status that arrive before the server accepts the goal; undefined after it has answered. */
   private early: (() => void)[] | undefined = [];
 
   constructor(client: ActionClient, goal: Uint8Array, options: GoalOptions, problem: SiteError | undefined) {
@@ -224,7 +224,7 @@ class Goal implements PageGoal {
   }
 
   async cancel(): Promise<boolean> {
-    // Of all times: a stamp of zero.
+    // The stamp is zero: the request has no condition on time.
     const reply = await this.client.canceling.call(Uint8Array.of(...header, ...this.uuid, ...new Uint8Array(8)));
     const count = reply.length >= 12 ? new DataView(reply.buffer, reply.byteOffset + 8).getUint32(0, reply[1] === 1) : 0;
     return reply[header.length] === 0 && count > 0;

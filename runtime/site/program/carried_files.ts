@@ -64,12 +64,12 @@ export async function addressOfSite(path: string): Promise<string> {
   return addressBeside(path) ?? URL.createObjectURL(await (await fetchOfSite(path)).blob());
 }
 
-/** What a worker has in place of a file: its bytes, or where its parts are. */
+/** A file as a worker gets it: its bytes, or the addresses of its parts. */
 export type WorkerFile = Blob | readonly string[];
 
 /**
- * What workers ask for by themselves, by the addresses that it would have beside site.json. Programs come from the page.
- * Bytes and not addresses where the page carries them: from file: a worker cannot read those.
+ * The files that workers load by themselves, by the addresses that they would have beside site.json. Programs come from the page.
+ * They are bytes, not addresses, where they are embedded in the page: a worker cannot read addresses of a file: page.
  */
 export async function workerFiles(base: URL, paths: readonly string[]): Promise<ReadonlyMap<string, WorkerFile> | undefined> {
   const carried = carriedFiles();

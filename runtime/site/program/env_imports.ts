@@ -8,7 +8,7 @@ import type { ProgramExports } from './program_exports.ts';
 import { type Leave, ProgramExit } from './wasi.ts';
 import { unwound } from './trap.ts';
 
-/** What the page must know to start a thread of a program. */
+/** The data with which the page starts a thread of a program. */
 export interface ThreadRequest {
   /** Address of the thread's control block. */
   readonly thread: number;
@@ -107,7 +107,7 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
       exports()._emscripten_thread_init?.(thread, 0, 1, 1);
       exports().emscripten_tls_init?.();
     },
-    // Called by whoever joined the thread, or by a detached thread for itself.
+    // Called for a thread by the one that joined it, or by a detached thread for itself.
     __emscripten_thread_cleanup: (thread: number): void => {
       if (thread === exports().pthread_self?.()) {
         host.detach();

@@ -1,4 +1,4 @@
-// What the files of the site must be: their hashes, as site.json has them. A program that came damaged, or of another
+// The expected hashes of the site's files, as site.json has them. A program that is damaged, or from another
 // version of the site, is refused before it runs.
 
 import { RunningSha256 } from '../contract/running_sha256.ts';

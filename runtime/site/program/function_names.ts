@@ -38,7 +38,7 @@ class Cursor {
   }
 }
 
-/** The names of the functions `wanted`, by index. What is damaged or absent has no name. */
+/** The names of the functions `wanted`, by index. Damaged or absent entries have no name. */
 export function functionNames(section: Uint8Array, wanted: ReadonlySet<number>): ReadonlyMap<number, string> {
   const names = new Map<number, string>();
   const cursor = new Cursor(section);

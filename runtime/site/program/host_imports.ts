@@ -23,7 +23,7 @@ export function hostImports(
   link: Link, memory: () => ProgramMemory, idle: () => void, terminal: (mode: TerminalMode) => void,
   sent?: (message: SentMessage) => void,
 ) {
-  /** Of endpoints, when somebody hears what is sent. */
+  /** The names of the endpoints, by handle; filled only when the messages sent are traced. */
   const names = new Map<number, string>();
   const i64 = (address: number): bigint => memory().i64(address);
 

@@ -11,7 +11,7 @@ export interface FileSystem {
 /** EIO of Emscripten. */
 const inputError = 29;
 
-/** What `read` gives must have the size; else whoever reads the file has an error, and it is tried again. */
+/** `read` must return `size` bytes; otherwise reading the file fails with EIO, and the next read tries again. */
 export function lateFile(system: FileSystem, path: string, size: number, read: () => Uint8Array | undefined): void {
   const at = path.lastIndexOf('/');
   system.mkdirTree(path.slice(0, at));

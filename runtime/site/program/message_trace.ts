@@ -1,13 +1,13 @@
-// What was sent in a run, to compare runs by.
+// A record of the messages that were sent in a run, to compare runs.
 
 import { SampleInfoLayout } from '../../protocol/generated/constants.ts';
 import type { ProgramMemory } from './program_memory.ts';
 import { RunningSha256 } from '../contract/running_sha256.ts';
 
 export interface SentMessage {
-  /** Of the topic or service. */
+  /** The name of the topic or service. */
   readonly name: string;
-  /** Of the endpoint. */
+  /** The sequence number of the endpoint's message. */
   readonly sequence: string;
   /** ns since 1970. */
   readonly stamp: string;
@@ -25,7 +25,7 @@ function hashBytes(bytes: Uint8Array): string {
   return [a, b].map((half) => (half >>> 0).toString(16).padStart(8, '0')).join('');
 }
 
-/** What a program has just written. `info`: address of its SampleInfo, filled in. */
+/** The record of a message that a program has just written. `info`: address of its SampleInfo, filled in. */
 export function sentMessage(
   name: string, memory: ProgramMemory, data: number, length: number, info: number,
 ): SentMessage {
@@ -62,7 +62,7 @@ export class MessageTrace {
     return line;
   }
 
-  /** Of all lines so far. */
+  /** The hash of all lines so far. */
   sha256(): string {
     return this.hash.hex();
   }

@@ -1,5 +1,5 @@
-// Modules that a page carries have no addresses relative to each other: what they import by `./NAME.js` is named anew.
-// Reads what esbuild writes; tests/unit/site/module_links.test.ts holds it against a parser of JavaScript.
+// Modules that are embedded in a page have no addresses relative to each other: their imports of `./NAME.js` are renamed.
+// Reads the output of esbuild; tests/unit/site/module_links.test.ts compares it with a parser of JavaScript.
 
 const always = /\b(from|import)\s*(["'])\.\/([\w.-]+\.js)\2/g;
 const later = /\bimport\(\s*(["'])\.\/([\w.-]+\.js)\1\s*\)/g;

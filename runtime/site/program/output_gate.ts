@@ -1,6 +1,6 @@
-// Which of the files that a program closes are handed to whoever runs the site, and when: those below its home, each now
-// and then, as some programs open and close one for each line, and at the end as it is then. Bags are no affair of this:
-// who writes one hands it over, wherever it lies.
+// Decides which of the files that a program closes are handed to the host of the site, and when: those below its home, each at
+// most once a second, as some programs open and close one for each line, and once more at the end. Bags are not handled here:
+// their writer hands them over, wherever they are.
 
 /** A larger one stays where it is. */
 export const mostFileBytes = 2 ** 26;
@@ -8,7 +8,7 @@ export const mostFileBytes = 2 ** 26;
 const leastMs = 1000;
 
 export interface OutputPlace {
-  /** With "/" at the end. Names that begin with a dot are nobody's affair, below it too. */
+  /** With "/" at the end. Names that begin with a dot are ignored, below it too. */
   readonly home: string;
   readonly now: () => number;
   /** A file is too large; said once. */
@@ -51,7 +51,7 @@ export class OutputGate {
   }
 }
 
-/** Of a program, by its environment and with its console. */
+/** The gate of a program; it uses the program's environment and console. */
 export function outputGate({ environment, line }: {
   readonly environment: Readonly<Record<string, string>>;
   readonly line: (stream: 'stderr', text: string) => void;

@@ -45,7 +45,7 @@ export class PageFiles implements CarriedFiles {
     return once(this.addresses, path, async () => URL.createObjectURL(await this.whole(path)));
   }
 
-  /** What to import for a module, with all that it needs. */
+  /** The address to import for a module; the modules that it needs are linked to it. */
   async moduleAddress(path: string): Promise<string> {
     return once(this.modules, path, async () => {
       const text = await (await this.whole(path)).text();

@@ -17,7 +17,7 @@ function put(from: readonly string[], to: string): void {
   try {
     linkSync(only, to);
   } catch {
-    // Of another file system.
+    // Hard links do not work across file systems.
     copyFileSync(only, to);
   }
 }

@@ -1,7 +1,8 @@
-// One process of a site's launch, whatever it runs: its state and its rules (start, stop, respawn). What runs is the affair
-// of those that derive from it.
+// One process of a site's launch: its state and its rules (start, stop, respawn). The classes that derive from it
+// run the program.
 
 import type { Broker } from '../bus/broker.ts';
+import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
 import type { NodeConsole } from './console_log.ts';
 import type { NodeMoment, NodeState, NodeView, SiteNode } from '../contract/session.ts';
 
@@ -36,7 +37,7 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
   private again = false;
   /** Its end is told: who ends all for that does not end it once more. */
   private ending = false;
-  /** Of the grace after a stop. */
+  /** The timer that kills the process when the grace period after a stop is over. */
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Calls off a start that is yet to come. */
   private keepFromStart: (() => void) | undefined;
@@ -162,7 +163,7 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
   }
 
   /** It could not start. */
-  protected fail(code: string, message: string): void {
+  protected fail(code: DiagnosticCode, message: string): void {
     this.rules.happened(this.node, 'stop');
     this.set({ kind: 'crashed', code, message });
   }

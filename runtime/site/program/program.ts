@@ -6,6 +6,7 @@ import { envImports, type ThreadRequest } from './env_imports.ts';
 import { hostImports, suspendingHost } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from '../bus/link.ts';
+import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
 import type { SentMessage } from './message_trace.ts';
 import { outputGate } from './output_gate.ts';
 import type { ProgramExports } from './program_exports.ts';
@@ -19,7 +20,7 @@ export type ProgramEnd =
   /** A thread that came to its end; the program goes on. */
   | { readonly kind: 'thread' }
   | { readonly kind: 'exit'; readonly code: number }
-  | { readonly kind: 'crash'; readonly code: string; readonly message: string };
+  | { readonly kind: 'crash'; readonly code: DiagnosticCode; readonly message: string };
 
 export interface ProgramHost {
   readonly link: Link;
@@ -49,7 +50,7 @@ export interface ProgramHost {
   readonly startThread: (request: ThreadRequest, memory: WebAssembly.Memory) => void;
 }
 
-/** What a thread worker shares with the program that it belongs to. */
+/** The data that a thread's worker gets: the request, and the memory that it shares with its program. */
 export interface ThreadStart extends ThreadRequest {
   readonly memory: WebAssembly.Memory;
 }
@@ -103,7 +104,7 @@ export function instantiateThreaded(
   }
 }
 
-function crash(code: string, message: string): ProgramEnd {
+function crash(code: DiagnosticCode, message: string): ProgramEnd {
   return { kind: 'crash', code, message };
 }
 
@@ -160,7 +161,7 @@ export async function runProgram(
     write: (stream, bytes) => out[stream].write(bytes),
     input: {
       read: (capacity) => {
-        // What asks for it ends in no newline.
+        // Prompts end without a newline, so the output is flushed before the read.
         out.stdout.flush();
         out.stderr.flush();
         host.idle();
@@ -268,8 +269,8 @@ function runMain(exports: ProgramExports, memory: ProgramMemory, args: readonly 
 }
 
 /**
- * As exit() of a C library does: what atexit() was told, then what was not flushed. Not by musl's __stdio_exit, which
- * waits for whoever reads standard input.
+ * As exit() of a C library does: functions of atexit(), then unflushed output. Not by musl's __stdio_exit, which
+ * waits for a thread that reads standard input.
  */
 function farewell(exports: ProgramExports): void {
   exports.__funcs_on_exit?.();

@@ -34,7 +34,7 @@ export function siteFiles(site: SiteDescription, place: string): SiteFiles {
 /** Where programs begin. */
 export const homeFolder = '/home/user';
 
-/** What a program finds in its environment before that of its node. */
+/** The environment of each program; the variables of its node override it. */
 export function siteEnvironment(site: SiteDescription): Readonly<Record<string, string>> {
   return {
     AMENT_PREFIX_PATH: prefixOf(site), HOME: homeFolder, PWD: homeFolder, USER: 'user',

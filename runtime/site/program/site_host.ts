@@ -1,7 +1,7 @@
 // The place of a site, in a browser page or in Node.js: its files, and the cache of what was made of them.
 
-import type { KeptBytes } from './kept_bytes.ts';
-import type { KeptTexts } from '../contract/kept_texts.ts';
+import type { KeptBytes } from './cached_bytes.ts';
+import type { KeptTexts } from '../contract/stored_texts.ts';
 import type { SiteFile } from '../contract/session.ts';
 
 export interface SiteHost {

@@ -56,7 +56,7 @@ export function inputReader(link: Link, id: string): Input {
     return part;
   };
   const there = (): boolean => rest.length > 0 || ended;
-  /** What is left of the site's time until `untilNs`, in ms; -1: for ever. */
+  /** The site time left until `untilNs`, in ms; -1: no limit. */
   const left = (untilNs: number): number => untilNs === Infinity ? -1 : Math.max(0, (untilNs - link.clock.steadyNs()) / 1e6);
   const arrivesLater = async (untilNs: number): Promise<WaitResult | undefined> => {
     for (;;) {

@@ -9,7 +9,7 @@ export interface ThreadMemory {
 
 const entry = { address: 0, version: 1, next: 2 };
 
-/** More are no list of ours: the program has written over it, maybe so that it has no end. */
+/** A longer list is not from ros2wasm: the program has overwritten it, maybe so that it has no end. */
 const mostWaits = 4096;
 
 /** Wakes those that went to wait under an older law than `version`. True when there were none. */

@@ -14,7 +14,7 @@ export class TraceFile {
   private readonly file: number;
   private readonly trace = new MessageTrace(nodeHash());
 
-  /** What the file had before is gone. Throws SiteError R2W0721: it cannot be written. */
+  /** An existing file is overwritten. Throws SiteError R2W0721: it cannot be written. */
   constructor(path: string) {
     try {
       this.file = openSync(path, 'w');

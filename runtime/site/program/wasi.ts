@@ -15,7 +15,7 @@ const nosys = 52;
 const characterDevice = 2;
 const regularFile = 4;
 
-/** What a program leaves with when it calls proc_exit or exit(). */
+/** The exit code of a program that calls proc_exit or exit(). */
 export class ProgramExit {
   readonly code: number;
 
@@ -30,7 +30,7 @@ export class ProgramExit {
  */
 export type Leave = (reason: ProgramExit | Error) => never;
 
-/** What a program has for descriptors beyond 2, when it uses files. Each gives 0 or an errno. */
+/** Functions that a program exports for descriptors beyond 2, when it uses files. Each returns 0 or an errno. */
 export interface FileExports {
   readonly ros2wasm_fd_read?: (fd: number, vectors: number, count: number, out: number) => number;
   readonly ros2wasm_fd_write?: (fd: number, vectors: number, count: number, out: number) => number;
@@ -39,7 +39,7 @@ export interface FileExports {
   readonly ros2wasm_fd_is_open?: (fd: number) => number;
 }
 
-/** What ended a wait for input. */
+/** The event that ended a wait for input. */
 export type Arrival = 'input' | 'timeout' | 'stop';
 
 export interface Input {

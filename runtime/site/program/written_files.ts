@@ -1,9 +1,9 @@
-// What programs have written and handed over (SPEC.md 3.4), bags and others: kept until somebody takes it.
+// Files that programs have written and handed over (SPEC.md 3.4), bags and others: stored until the page takes them.
 
 import type { Unsubscribe, WrittenFile, Written } from '../contract/session.ts';
 import { homeFolder } from './site_files.ts';
 
-/** Of what nobody takes, the oldest goes. */
+/** Upper bound of the stored bytes; the oldest files are dropped first. */
 const mostKeptBytes = 2 ** 30;
 
 export class WrittenFiles implements Written {
@@ -43,7 +43,7 @@ export class WrittenFiles implements Written {
   }
 }
 
-/** The names of folders and of the file below one for all nodes. What a program says of its path leads nowhere else. */
+/** The names of folders and of the file below one folder for all nodes. A program's path cannot lead outside of it. */
 export function placeOf({ node, path }: Pick<WrittenFile, 'node' | 'path'>): readonly string[] {
   const below = path.startsWith(`${homeFolder}/`) ? path.slice(homeFolder.length) : path;
   return [node, ...below.split('/')]

@@ -11,7 +11,7 @@ const noSuchFunction = -52;
 
 type ModuleImports = Record<string, WebAssembly.ImportValue>;
 
-/** What the interpreter asks its place for. */
+/** The functions of the host that the interpreter calls. */
 export interface PythonPlace {
   readonly clock: Pick<Link['clock'], 'steadyNs' | 'systemNs'>;
   readonly random: ((bytes: Uint8Array) => void) | undefined;
@@ -19,7 +19,7 @@ export interface PythonPlace {
 
 /** A memory with an interpreter in it. */
 export interface OpenImage {
-  /** What Pyodide says of it, in Pyodide's form. */
+  /** Pyodide's own description of the image, in Pyodide's format. */
   readonly description: Uint8Array;
   /** Bytes of the memory. */
   readonly size: number;
@@ -44,7 +44,7 @@ export interface PyodideOptions {
   readonly image: OpenImage | undefined;
   /** An image will be made of it. */
   readonly toBeKept: boolean;
-  /** What is there already of what Pyodide would fetch, by its address. */
+  /** Files that are already loaded, by the address from which Pyodide would fetch them. */
   readonly fetched: (address: string) => Blob | undefined;
 }
 
@@ -102,7 +102,7 @@ function nameZones(imports: WebAssembly.Imports, memory: ProgramMemory): void {
   };
 }
 
-/** Calls `load` while whoever asks for Pyodide's own wasm file gets the given module, and what is there need not be fetched. */
+/** Calls `load`; in the meantime, requests for Pyodide's wasm file get the given module, and loaded files are not fetched again. */
 async function withModule<T>(
   { module, fetched }: PyodideOptions, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
 ): Promise<T> {
@@ -137,7 +137,7 @@ interface EmscriptenModule {
 }
 type CreateModule = (settings: { INITIAL_MEMORY?: number }) => Promise<EmscriptenModule>;
 
-/** Of memory, as systems have it. */
+/** The size of a memory page in bytes, as in operating systems. */
 export const pageBytes = 4096;
 
 /** The memory becomes the image's. What is 0 in both is only read: such pages take no memory. */
@@ -163,7 +163,7 @@ export async function fillMemory(heap: Uint8Array, { runs, read }: Pick<OpenImag
 const factory = '_createPyodideModule';
 
 /**
- * Calls `load` while Pyodide's modules begin with the image's memory. What Pyodide itself is given is only the image's
+ * Calls `load` while Pyodide's modules begin with the image's memory. Pyodide itself is given only the image's
  * description: its own way would have the whole image in one buffer more.
  */
 async function withMemory<T>(image: OpenImage | undefined, load: () => Promise<T>): Promise<T> {

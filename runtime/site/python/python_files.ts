@@ -4,11 +4,11 @@
 import type { SiteHost } from '../program/site_host.ts';
 import { carriedPrograms, type SiteDescription, type SiteFile } from '../contract/session.ts';
 
-/** What a worker is given of them. */
+/** The files that a worker gets. */
 export interface PythonParts {
   /** By their paths in the site; those that are scripts are not among them, but were looked at. */
   readonly found: ReadonlyMap<string, Blob>;
-  /** What the worker must find, should it need others. */
+  /** All archives of the site, with the hashes that they must have when the worker loads one. */
   readonly listed: readonly SiteFile[];
 }
 
@@ -46,7 +46,7 @@ export class PythonFiles {
     await Promise.all(this.own(program).filter(isScript).map((path) => this.whole(path)));
   }
 
-  /** What runs the program, with these archives. Throws SiteError R2W0706 or R2W0724. */
+  /** The files that run the program, with these archives. Throws SiteError R2W0706 or R2W0724. */
   async parts(program: string, archives: readonly string[]): Promise<PythonParts> {
     const listed = new Map(this.site.files.map((file) => [file.path, file]));
     const all = await Promise.all([...this.own(program), ...archives].map(async (path) => [path, await this.whole(path)] as const));
@@ -72,7 +72,7 @@ export class PythonFiles {
     if (blob === undefined) {
       blob = this.host.bytes(path).then((bytes) => new Blob([bytes]));
       this.found.set(path, blob);
-      // What failed may be tried again.
+      // The next call may try again after an error.
       blob.catch(() => this.found.delete(path));
     }
     return blob;

@@ -1,6 +1,6 @@
-// The image of a started interpreter: its memory with rclpy imported, and the files that were unpacked meanwhile. Made
-// once by a worker of its own, it is what further nodes begin with. Everything that belongs to one node (environment,
-// arguments, clocks, seeds of random numbers) is given anew: ros2wasm/start.py.
+// The image of a started interpreter: its memory with rclpy imported, and the files that were unpacked. It is made
+// once by a worker of its own, and further nodes begin with it. Everything that belongs to one node (environment,
+// arguments, clocks, seeds of random numbers) is set again: ros2wasm/start.py.
 
 import { unzipSync } from 'fflate';
 import type { PyodideInterface } from 'pyodide';
@@ -15,12 +15,12 @@ import type { WorkerFiles } from './worker_files.ts';
 export const prefix = '/ros';
 const sitePackages = `${prefix}/lib/python3.12/site-packages`;
 
-/** What an image is made of. */
+/** The inputs of an image. */
 export interface ImageStart {
   /** The folder of the site, and Pyodide's in it, as in PythonStart. */
   readonly base: string;
   readonly home: string;
-  /** Of the site. */
+  /** The archives of the site that are loaded into it. */
   readonly archives: readonly string[];
   /** Where the share files of the site are for programs. */
   readonly share: string;
@@ -89,7 +89,7 @@ export function addressOf(bytes: PyProxy, kept: PyBuffer[]): number {
   return (buffer['data'] as Uint8Array).byteOffset;
 }
 
-/** What a worker has of the site's files. */
+/** The site's files as a worker has them. */
 type Start = Pick<ImageStart, 'base' | 'parts'>;
 
 /** For Pyodide, when it asks for its own files. */
@@ -159,7 +159,7 @@ export const makeImage: MakePythonImage = async (module, start, files) => {
   const keeper = python as unknown as { makeMemorySnapshot(options: object): Uint8Array<ArrayBuffer> };
   const snapshot = keeper.makeMemorySnapshot({
     serializer: (object: unknown): string => {
-      if (object !== host) throw new TypeError('the interpreter holds an object of JavaScript that cannot be kept');
+      if (object !== host) throw new TypeError('the interpreter holds an object of JavaScript that cannot be stored');
       return hostMark;
     },
   });

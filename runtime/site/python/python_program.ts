@@ -9,6 +9,7 @@ import type { RunLaunch } from './launch_run.ts';
 import { type FileSystem, lateFile } from '../program/late_file.ts';
 import { LineWriter } from '../program/line_writer.ts';
 import type { Link } from '../bus/link.ts';
+import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
 import { outputGate } from '../program/output_gate.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from '../program/program.ts';
 import type { ProgramMemory } from '../program/program_memory.ts';
@@ -24,7 +25,7 @@ import { SiteError } from '../contract/site_error.ts';
 import type { SourceStart } from '../contract/site_sources.ts';
 import type { Arrival } from '../program/wasi.ts';
 
-/** What a worker needs to run a Python program. */
+/** The data with which a worker runs a Python program. */
 export interface PythonStart extends PythonProgram {
   /** The folder of the site: a URL, or under Node.js a path; with "/" at the end. */
   readonly base: string;
@@ -32,12 +33,12 @@ export interface PythonStart extends PythonProgram {
   readonly home: string;
   /** Pyodide's files, and the archives that are in no image. */
   readonly parts: PythonParts;
-  /** What it begins with, and how many of the archives are in it. */
+  /** The image with which it begins, and the number of archives in it. */
   readonly image: { readonly bytes: Blob; readonly archives: number } | undefined;
   readonly sources: SourceStart | undefined;
 }
 
-/** What a worker tells of a Python program beside what it tells of all. */
+/** The reports of a worker about a Python program, besides those about all programs. */
 export interface PythonReports {
   /** The image could not be opened. */
   readonly broken: () => void;
@@ -50,7 +51,7 @@ export type RunPython = (
   module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles, reports: PythonReports,
 ) => Promise<ProgramEnd>;
 
-/** What python_worker.js has. */
+/** The functions of python_worker.js. */
 export interface PythonRuntime {
   readonly run: RunPython;
   readonly makeImage: MakePythonImage;
@@ -60,7 +61,7 @@ export interface PythonRuntime {
 /** As Python ends when nobody catches KeyboardInterrupt. */
 const interruptedCode = -interrupt;
 
-function crash(code: string, message: string): ProgramEnd {
+function crash(code: DiagnosticCode, message: string): ProgramEnd {
   return { kind: 'crash', code, message };
 }
 
@@ -101,7 +102,7 @@ export function look(
   return count;
 }
 
-/** Of Python's bytes. */
+/** Copies a Python object with bytes. */
 function copyOf(bytes: PyProxy): Uint8Array<ArrayBuffer> {
   const buffer = (bytes as PyBuffer).getBuffer('u8');
   try {
@@ -142,7 +143,7 @@ function hostModule(
       const there = host.input.arrives(0);
       return there instanceof Promise ? wait(there.then(arrived)) : arrived(there);
     },
-    // What is called for every message has one argument: each more costs Pyodide a tenth of a microsecond.
+    // Functions that are called for every message have one argument: each more costs Pyodide a tenth of a microsecond.
     publisher: (endpoint: number, at: number) => (length: number): number => {
       const heap = memory();
       const info = heap.u32(at + places.info);
@@ -194,7 +195,7 @@ function lateLibrary({ base, home, parts }: PythonStart): { readonly address: st
   };
 }
 
-/** What os._exit throws says so. */
+/** The message of the error that os._exit throws. */
 const left = /^Program terminated with exit\((-?\d+)\)$/;
 
 /** How what Python could not catch reads. */

@@ -30,7 +30,7 @@ export function placeSources(python: PyodideInterface, { watched, changed }: Sou
   }
 }
 
-/** Its bytes are a plain property again when they were read, or written anew. */
+/** Its bytes are a plain property again once they were read or written. */
 function watch(node: FileNode, read: () => void): void {
   const bytes = node.contents;
   const settle = (value: Uint8Array | null): void => {

@@ -93,7 +93,7 @@ export function threadFunctions(
     set_threads: (count: number) => interrupts.setThreads(count),
     thread_runs: (_ident: number, isMain: boolean) => interrupts.threadRuns(isMain),
     slice_is_over: () => interrupts.sliceIsOver(),
-    // Who lets another one go on rests itself, or ends: until that one runs, only Pyodide's own code does (see `wait`).
+    // A thread that lets another one run then rests, or ends: until that one runs, only Pyodide's own code does (see `wait`).
     begin_thread: (begin: PyCallable) => {
       interrupts.suspended = true;
       const kept = begin.copy() as PyCallable;

@@ -1,7 +1,7 @@
 // The Python files of the workspace in a site, and what the visitor made of them: kept by the browser, bounded, each with
 // the hash of the packed file that it was made of, so that nothing is applied to another one.
 
-import type { KeptTexts } from '../contract/kept_texts.ts';
+import type { KeptTexts } from '../contract/stored_texts.ts';
 import { RunningSha256 } from '../contract/running_sha256.ts';
 import { SiteError } from '../contract/site_error.ts';
 import type { SiteSource, SiteSources, SourceKept, Sources, SourceStart, SourceView } from '../contract/site_sources.ts';
@@ -14,7 +14,7 @@ export const mostOfSite = 1_000_000;
 interface Kept {
   /** As the browser has it. */
   readonly raw: string;
-  /** Of the packed file. */
+  /** The hash of the packed file that the text was made from. */
   readonly of: string;
   readonly text: string;
   readonly sha256: string;
@@ -26,7 +26,7 @@ function hashOf(bytes: Uint8Array): string {
   return sum.hex();
 }
 
-/** What a browser kept may have been written by anybody on the host. */
+/** A text from the browser's storage may have been written by any page of the host. */
 function readKept(raw: string): Kept | undefined {
   if (raw.length > 8 * mostOfFile) return undefined;
   try {

@@ -19,7 +19,7 @@ function patternOf(given: Given, option: string): RegExp | undefined {
   try {
     return new RegExp(text);
   } catch {
-    throw new CommandError(`[ERROR] [ros2bag]: '${text}' is no regular expression`);
+    throw new CommandError(`[ERROR] [ros2bag]: '${text}' is not a regular expression`);
   }
 }
 
@@ -158,7 +158,7 @@ const play: Command = {
       .filter((topic) => excluded?.includes(topic) !== true && excludedPattern?.test(topic) !== true);
     const names = new Map((listOf(given, 'remap') ?? []).map((rule) => {
       const [from = '', to = ''] = rule.split(':=');
-      if (from === '' || to === '') throw new CommandError(`[ERROR] [ros2bag]: '${rule}' is no remapping`);
+      if (from === '' || to === '') throw new CommandError(`[ERROR] [ros2bag]: '${rule}' is not a remapping`);
       return [expandName(from, ''), expandName(to, '')] as const;
     }));
     const ns = (option: string, otherwise: number): bigint => BigInt(Math.round(Math.min(numberOf(given, option, otherwise), 1e9) * 1e9));
@@ -184,7 +184,7 @@ const play: Command = {
     });
     const { problem } = player;
     if (problem === undefined && !signal.aborted) {
-      // What was sent last is heard before the publishers go.
+      // The last messages must arrive before the publishers are closed.
       await untilDone(signal, (done) => [session.node().timer(100, done)]);
     }
     player.close();

@@ -1,4 +1,4 @@
-// What `ros2 bag info` prints. Pure.
+// The output of `ros2 bag info`. Pure.
 
 import type { Bag, BagChannel } from '../bag/bag_file.ts';
 

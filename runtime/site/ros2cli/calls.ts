@@ -4,7 +4,7 @@ import type { SiteError } from '../contract/site_error.ts';
 import { CommandError, type Context } from './command.ts';
 import { decoded } from './filled_message.ts';
 
-/** Who calls: a command, or a panel of the page. */
+/** The caller of a service: a command, or a panel of the page. */
 export type Caller = Pick<Context, 'session' | 'codec' | 'signal'>;
 
 /** Calls once; a CommandError says why there is no answer. `request`: fields; bytes are taken as they are. */

@@ -1,4 +1,4 @@
-// What a command of `ros2` is, and what it may use: a Session, a place to print, a signal for Ctrl-C.
+// The type of a command of `ros2`, and the things that it may use: a Session, a place to print, a signal for Ctrl-C.
 
 import type { BagSource } from '../bag/bag_file.ts';
 import type { BagSink } from '../bag/bag_writer.ts';
@@ -33,17 +33,17 @@ export interface Terminal {
   readonly newFiles?: NewFiles;
   /** The text of a file; undefined: there is none of that name. */
   readText(name: string): Promise<string | undefined>;
-  /** What is typed goes there from now on, line by line with the newlines, or key by key; undefined: nowhere. */
+  /** Sends typed input to `taker` from now on, line by line with the newlines, or key by key; undefined: to nobody. */
   takeInput(taker: ((text: string) => void) | undefined, keys?: KeyMode): void;
   /** One line or several, without the newline at the end. */
   print(text: string): void;
-  /** The same, for what is no result. */
+  /** The same, for what is not a result. */
   warn(text: string): void;
   /** Ctrl-C. */
   readonly signal: AbortSignal;
 }
 
-/** What a word of the command line names; completion offers these. */
+/** The kind of thing that a word of the command line names; completion offers these. */
 export type Meaning =
   | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
   | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'launch_package' | 'launch_file'
@@ -53,7 +53,7 @@ export interface Positional {
   /** As the usage shows it. */
   readonly name: string;
   readonly meaning: Meaning;
-  /** May be left out. */
+  /** May be omitted. */
   readonly optional?: boolean;
   /** The last one, any number of times. */
   readonly many?: boolean;
@@ -64,7 +64,7 @@ export interface Positional {
 export interface Option {
   /** `--once`, `-1`: the long one first. */
   readonly names: readonly string[];
-  /** What its value is called; undefined: it has none. */
+  /** The name of its value in the usage; undefined: it takes none. */
   readonly value?: string;
   /** Takes all words up to the next option; Given has them with spaces between. */
   readonly many?: boolean;
@@ -79,7 +79,7 @@ export interface Option {
   readonly help: string;
 }
 
-/** What was given; options by their first name without dashes. */
+/** The parsed arguments; options by their first name without dashes. */
 export interface Given {
   readonly positionals: readonly string[];
   readonly options: ReadonlyMap<string, string>;
@@ -103,19 +103,19 @@ export interface Command {
   run(context: Context, given: Given): Promise<number>;
 }
 
-/** What the user is told instead of a result. */
+/** An error message that the user gets instead of a result. */
 export class CommandError extends Error {}
 
 export function has(given: Given, option: string): boolean {
   return given.options.has(option);
 }
 
-/** Of an option that may be given several times. */
+/** The values of an option that may be given several times. */
 export function allOf(given: Given, option: string): readonly string[] {
   return given.options.get(option)?.split('\n') ?? [];
 }
 
-/** Of an option that takes a number; the parser has looked at it. */
+/** The value of an option that takes a number; the parser has checked it. */
 export function numberOf(given: Given, option: string, otherwise: number): number {
   const text = given.options.get(option);
   return text === undefined ? otherwise : Number(text);

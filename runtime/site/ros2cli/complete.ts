@@ -9,14 +9,14 @@ import { findOption, splitLine } from './parse.ts';
 import { commands } from './table.ts';
 
 export interface Completion {
-  /** What the last word begins with, and where it begins in the line. */
+  /** The beginning of the last word, and its place in the line. */
   readonly word: string;
   readonly start: number;
   /** Whole words, sorted. */
   readonly choices: readonly string[];
 }
 
-/** What only a node or the definitions can tell: the parameters of a node, a message of a type to begin with. */
+/** Values that only a node or the definitions can provide: the parameters of a node, a message of a type to begin with. */
 export type Wanted =
   | { readonly kind: 'parameters'; readonly node: string }
   | { readonly kind: 'prototype'; readonly type: string };
@@ -25,11 +25,11 @@ export interface Known {
   readonly graph: GraphView;
   /** Names of interfaces that the site has. */
   readonly interfaces: readonly string[];
-  /** What `ros2 launch` can start, and its arguments: of a site. */
+  /** The launch file that `ros2 launch` can start, and its arguments; of a site. */
   readonly launches?: Pick<SiteDescription, 'launchFile' | 'launch'>;
-  /** What `ros2 run` can start. */
+  /** The programs that `ros2 run` can start. */
   readonly programs: readonly { readonly package: string; readonly executable: string }[];
-  /** What was wanted, once it is there. */
+  /** The answer to `wanted()`, once it is there. */
   readonly told?: readonly string[];
 }
 
@@ -42,7 +42,7 @@ export function complete(line: string, known: Known): Completion {
   return { word, start, choices: [...new Set(offered)].filter((choice) => choice.startsWith(word) && choice !== '').sort() };
 }
 
-/** What must be asked for before this line can be completed; undefined: nothing. */
+/** The values that must be requested before this line can be completed; undefined: none. */
 export function wanted(line: string): Wanted | undefined {
   const start = /\S*$/.exec(line)!.index;
   const before = splitLine(line.slice(0, start)) ?? [];

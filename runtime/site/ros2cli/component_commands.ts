@@ -7,7 +7,7 @@ import { textValue } from './parameter_calls.ts';
 
 const container = { name: 'container_node_name', meaning: 'container' } as const;
 
-/** Of load_node and its like. */
+/** The reply of load_node and similar services. */
 interface Reply {
   readonly success: boolean;
   readonly error_message: string;
@@ -35,7 +35,7 @@ function capitalized(text: string): string {
   return `${text.slice(0, 1).toUpperCase()}${text.slice(1).toLowerCase()}`;
 }
 
-/** Of texts `name:=value`. */
+/** Converts texts `name:=value`. */
 async function parametersOf(texts: readonly string[]): Promise<unknown[]> {
   return await Promise.all(texts.map(async (text) => {
     const cut = text.indexOf(':=');

@@ -1,4 +1,4 @@
-// What `--filter` takes: a Python expression over the message `m`. The part of Python that such expressions are made of:
+// Evaluates the argument of `--filter`: a Python expression over the message `m`. It supports a part of Python:
 // fields, indices, numbers, texts, comparisons (also chained), arithmetic, `and`, `or`, `not`, `in`, `is`, `x if c else y`, some of
 // the built-in functions and of the methods of texts. Pure; nothing but the message can be reached.
 
@@ -25,7 +25,7 @@ export function filterOf(text: string): (message: unknown) => boolean {
       return truth(evaluation(message));
     } catch (error) {
       if (error instanceof CommandError) throw error;
-      // As for want of memory: whoever reads a topic shows it once, and ends.
+      // Such as too little memory: the reader of a topic shows the error once, and ends.
       throw new CommandError(error instanceof Error ? `${error.name}: ${error.message}` : String(error));
     }
   };

@@ -150,7 +150,7 @@ function toText([value = '']: readonly unknown[]): string {
   if (typeof value === 'string') return value;
   if (typeof value === 'boolean') return value ? 'True' : 'False';
   if (value === null) return 'None';
-  if (isMessage(value)) throw new CommandError('TypeError: a message is no text here');
+  if (isMessage(value)) throw new CommandError('TypeError: a message is not text here');
   if (isList(value)) return `[${Array.from(value, (one) => (typeof one === 'string' ? quoted(one) : toText([one]))).join(', ')}]`;
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
   return String(value);
@@ -176,7 +176,7 @@ export const filterFunctions: ReadonlyMap<string, Call> = new Map([
 
 function text(value: unknown): string {
   if (typeof value === 'string') return value;
-  throw new CommandError(`TypeError: ${kindOf(value)} is no str`);
+  throw new CommandError(`TypeError: ${kindOf(value)} is not a str`);
 }
 
 /** Takes what stands in `letters` off both ends. */

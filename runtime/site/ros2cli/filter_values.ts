@@ -16,7 +16,7 @@ export function kindOf(value: unknown): string {
 export function items(value: unknown): ArrayLike<unknown> {
   if (isList(value)) return value;
   if (typeof value === 'string') return [...value];
-  throw new CommandError(`TypeError: ${kindOf(value)} is no list`);
+  throw new CommandError(`TypeError: ${kindOf(value)} is not a list`);
 }
 
 /** Whether it holds for one of them. */
@@ -29,7 +29,7 @@ export function some(list: ArrayLike<unknown>, holds: (one: unknown) => boolean)
 export function numeric(value: unknown): Numeric {
   if (typeof value === 'number' || typeof value === 'bigint') return value;
   if (typeof value === 'boolean') return Number(value);
-  throw new CommandError(`TypeError: ${kindOf(value)} is no number`);
+  throw new CommandError(`TypeError: ${kindOf(value)} is not a number`);
 }
 
 /** An index or a number of digits. */
@@ -63,7 +63,7 @@ export function same(left: unknown, right: unknown): boolean {
   return numeric(left) == numeric(right);
 }
 
-/** Of `<`, `>`, `<=` and `>=`, or of one that looks for members or asks whether two are the same. */
+/** The result of a comparison, of `in` and `not in`, or of `is` and `is not`. */
 export function compared(sign: string, left: unknown, right: unknown): boolean {
   switch (sign) {
     case '==':
@@ -140,13 +140,13 @@ function power(a: number, b: number): number {
   if (Number.isNaN(value) && !Number.isNaN(a) && !Number.isNaN(b)) {
     // 1 and -1 to the power of infinity are 1; a root of a negative number is complex.
     if (Math.abs(a) === 1) return 1;
-    throw new CommandError('TypeError: a complex number is no number here');
+    throw new CommandError('TypeError: a complex number is not a number here');
   }
   if (!Number.isFinite(value) && Number.isFinite(a) && Number.isFinite(b)) throw new CommandError("OverflowError: (34, 'Numerical result out of range')");
   return value;
 }
 
-/** Of an operator between two values. */
+/** The result of an arithmetic operator. */
 export function reckon(sign: string, left: unknown, right: unknown): unknown {
   if (sign === '+' && typeof left === 'string' && typeof right === 'string') return left + right;
   const [a, b] = [numeric(left), numeric(right)];

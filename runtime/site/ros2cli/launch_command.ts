@@ -25,7 +25,7 @@ function argumentsFor(site: SiteDescription, words: readonly string[]): readonly
   return words.slice(isPath ? 1 : 2);
 }
 
-/** What is said of a process, as upstream says it but for the number that it has there. */
+/** The line about the state of a process, in the words of ROS 2 but without the pid. */
 function saidOf(id: string, state: NodeState): string | undefined {
   switch (state.kind) {
     case 'running':
@@ -83,7 +83,7 @@ export const launchCommand: Command = {
         if (state.kind === 'crashed') code = 1;
       },
       onLines: ({ id, output }, lines) => {
-        // What goes to the log only is stdout: errors are always on the screen.
+        // With output 'log', stdout goes to the log only: errors are always on the screen.
         const shown = output === 'log' && !has(given, 'show-all-subprocesses-output') ? lines.filter(({ stream }) => stream === 'stderr') : lines;
         for (const { text } of shown) context.print(`[${id}] ${text}`);
       },

@@ -67,7 +67,7 @@ export async function setValue(caller: Caller, of: string, name: string, value: 
   return (await setValues(caller, of, [{ name, value }]))[0] ?? { successful: false, reason: '' };
 }
 
-/** What a typed text means. */
+/** The parameter value that a typed text means. */
 export async function textValue(text: string): Promise<ParameterValue> {
   const { readYaml } = await yamlReader();
   const read = readYaml(text);

@@ -56,7 +56,7 @@ export function pythonValue(value: ParameterValue): string {
   }
 }
 
-/** What a typed value means: what YAML makes of the text tells the type, as rclpy's get_parameter_value does. */
+/** The parameter value that a typed text means: its YAML value gives the type, as in rclpy's get_parameter_value. */
 export function parameterValue(text: string, value: unknown): ParameterValue {
   if (typeof value === 'boolean') return { type: 1, bool_value: value };
   if (typeof value === 'bigint') return { type: 2, integer_value: value };

@@ -1,4 +1,4 @@
-// Runs one command of `ros2` over a Session. What goes wrong is printed; the result is the exit code.
+// Runs one command of `ros2` over a Session. Errors are printed; the result is the exit code.
 
 import type { Codec } from '../decode/codec.ts';
 import type { KeyMode, Session } from '../contract/session.ts';

@@ -1,4 +1,4 @@
-// What echo, hz, bw and delay share: the type and the QoS of a topic that is there, and options to say otherwise.
+// Code shared by echo, hz, bw and delay: the type and the QoS of an existing topic, and options that override them.
 
 import { expandName, fullTypeName } from '../decode/ros_names.ts';
 import type { QosRequest } from '../contract/session.ts';
@@ -13,7 +13,7 @@ export const qosOptions: readonly Option[] = [
   { names: ['--qos-durability'], value: 'DURABILITY', choices: ['volatile', 'transient_local'], help: 'Quality of service durability setting' },
 ];
 
-/** What the options ask for. */
+/** The QoS that the options request. */
 export function qosAsked({ options }: Given): QosRequest {
   const profile = options.get('qos-profile');
   const depth = options.get('qos-depth');

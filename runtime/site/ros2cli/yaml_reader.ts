@@ -1,4 +1,4 @@
-// What reads YAML, loaded when it is first asked for. Later it is there at once, which a stepped run counts on.
+// Loads the YAML reader at its first use. Later it is there at once, which a stepped run relies on.
 
 type YamlReader = typeof import('../decode/read_yaml.ts');
 
@@ -7,7 +7,7 @@ let loading: Promise<YamlReader> | undefined;
 export function yamlReader(): Promise<YamlReader> {
   if (loading === undefined) {
     loading = import('../decode/read_yaml.ts');
-    // Who asks next tries again.
+    // The next call tries again.
     loading.catch(() => {
       loading = undefined;
     });

@@ -2,8 +2,8 @@
 
 import { fetchOfSite, setPlaces, type WorkerFile, workerFiles } from '../program/carried_files.ts';
 import { ExpectedFiles } from '../program/expected_files.ts';
-import { keptBytes } from '../program/kept_bytes.ts';
-import { keptTexts } from '../contract/kept_texts.ts';
+import { keptBytes } from '../program/cached_bytes.ts';
+import { keptTexts } from '../contract/stored_texts.ts';
 import type { HoldOrder } from '../workers/worker_messages.ts';
 import { answerForList } from '../program/own_list.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from '../workers/platform.ts';
@@ -43,7 +43,7 @@ async function compileModule(path: string, bytes: ArrayBuffer): Promise<WebAssem
 }
 
 export interface BrowserPlatform extends Platform {
-  /** After expect(): workers can start at once from then on. Never rejects: whoever starts a worker hears of the failure. */
+  /** After expect(): workers can start at once from then on. Never rejects: the caller that starts a worker gets the error. */
   readonly ready: Promise<void>;
   close(): void;
 }

@@ -1,5 +1,5 @@
-// Which programs have been started and not yet made what they make: who looks at the graph then sees it half made. A command
-// of `ros2` natively takes about as long to start itself.
+// The programs that were started and have not created their endpoints yet: a view of the graph is incomplete until then. A
+// command of native `ros2` takes about as long to start itself.
 
 import type { SiteNode } from '../contract/session.ts';
 

@@ -1,7 +1,7 @@
-// What runs a site without a browser: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for 5s] [--until REGEX] [--json]
+// Runs a site without a browser: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for 5s] [--until REGEX] [--json]
 // [--link shared|port] [--stepped [--seed N]] [--trace FILE] [--bags DIR] [--checks [--junit FILE]]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
-// Who reads it may leave: then the run ends, met unless it has a condition.
+// When the reader of stdout closes it, the run ends: met, unless it has a condition.
 
 import { parseArgs } from 'node:util';
 import { writeFileSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { type Broker, PortBroker, SharedBroker, steppedBus } from '../bus/broker
 import { checkLine, junitXml } from '../checks/check_report.ts';
 import { type CheckRun, runChecks } from '../checks/check_run.ts';
 import { endWhenNobodyReads, exitWhenPrinted, siteErrorText } from './headless_session.ts';
-import { checkBagsFolder, KeptBags } from '../program/kept_bags.ts';
+import { checkBagsFolder, KeptBags } from '../program/stored_bags.ts';
 import { readGiven, shownArguments } from '../contract/launch_arguments.ts';
 import { siteWithArguments } from '../launch/launch_evaluation.ts';
 import { nodePlatform } from './node_platform.ts';
@@ -94,7 +94,7 @@ export function parseOptions(argv: readonly string[]): Options {
   };
 }
 
-/** Has every node come to its end? Undefined while one has not, else whether all ended well. What waits for one then waits for ever. */
+/** Has every node ended? Undefined while one has not, else whether all ended well. Nodes that still wait then wait for ever. */
 function allEnded(all: readonly NodeView[]): boolean | undefined {
   const nodes = all.filter(({ state }) => state.kind !== 'waiting');
   if (nodes.some(({ state }) => state.kind === 'starting' || state.kind === 'running' || state.kind === 'stopped')) {
@@ -214,7 +214,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
     }
     const well = allEnded(nodes);
     if (stopping && well !== undefined) finish(interrupted);
-    // What has been sent may still be on its way: the time of the checks decides.
+    // Messages may still be on their way: the time limits of the checks decide.
     else if (checks !== undefined) return;
     // Nobody will start them again.
     else if (well !== undefined && !session.respawns()) {
@@ -240,7 +240,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
   const { forMs } = options;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let begun = false;
-  /** `--for` counts from the first node whose own code runs: what is loaded before that is no part of the run. */
+  /** `--for` counts from the first node whose own code runs: what is loaded before that is not part of the run. */
   const watchStart = (nodes: readonly NodeView[]): void => {
     const runs = ({ state, loading }: NodeView): boolean => state.kind === 'exited' || state.kind === 'crashed' || (state.kind === 'running' && loading !== true);
     if (begun || forMs === undefined || !(nodes.length === 0 || nodes.some(runs))) return;

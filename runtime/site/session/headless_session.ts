@@ -1,4 +1,4 @@
-// What programs for Node.js that run a site share: their workers, a session, the words for a site that cannot be run.
+// Code shared by the Node.js programs that run a site: their workers, a session, the text for a site that cannot run.
 
 import type { Writable } from 'node:stream';
 import { parentPort, workerData } from 'node:worker_threads';
@@ -63,7 +63,7 @@ export async function exitWhenPrinted(
   exit(code);
 }
 
-/** Whoever reads what is printed has enough, as `| head -1`: what comes after is lost, and no fault of the program. */
+/** Calls `end` when the reader closes the output, as `| head -1` does: later output is lost, which is not the program's fault. */
 export function endWhenNobodyReads(end: () => void): void {
   for (const stream of [process.stdout, process.stderr]) {
     stream.on('error', (error: NodeJS.ErrnoException) => {

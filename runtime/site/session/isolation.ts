@@ -99,7 +99,7 @@ function activated(registration: ServiceWorkerRegistration): Promise<ServiceWork
   });
 }
 
-/** Keeps the site for later visits without a network. Failing is no fault: the site runs all the same. */
+/** Keeps the site for later visits without a network. Failing is not a fault: the site runs all the same. */
 export async function keepOffline(script: URL): Promise<boolean> {
   const container = serviceWorkers();
   if (container === undefined) return false;

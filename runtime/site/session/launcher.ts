@@ -16,7 +16,7 @@ import { type SessionOptions, SiteSession } from './site_session.ts';
 import { SteppedTime } from '../bus/stepped_time.ts';
 
 export interface LaunchOptions {
-  /** Where site.json lies; the page's own folder when left out. */
+  /** Where site.json lies; the page's own folder when omitted. */
   readonly base?: URL;
   /** For tests: use this link though the other would do. */
   readonly link?: LinkKind;
@@ -27,7 +27,7 @@ export interface LaunchOptions {
 }
 
 const longestWaitMs = 250;
-/** Of nodes, before the site is kept for visits without a network all the same. */
+/** Upper bound in ms on how long nodes may boot before the site is cached for offline visits anyway. */
 const longestBootMs = 10_000;
 
 const ceilings = [1 << 30, 512 << 20, 256 << 20, 128 << 20];
@@ -57,7 +57,7 @@ function steppedOptions(text: string): Pick<SessionOptions, 'broker' | 'stepped'
   const broker = sharedBroker(steppedBus(seed));
   if (broker?.conductor === undefined) {
     throw new SiteError('R2W0711', 'this page has no shared memory, which a stepped run needs', {
-      why: 'nobody can tell what is on its way in a message port',
+      why: 'the messages on their way in a message port cannot be counted',
       fix: 'open the page in a tab of its own over https:// or localhost, or leave out `seed=`',
     });
   }
@@ -156,7 +156,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   return acting;
 }
 
-/** What the visitor does with the given session counts for the tasks; what the launch does, does not. */
+/** The visitor's actions in the returned session count for the tasks; those of the launch do not. */
 async function withTasks(session: SiteSession): Promise<Session> {
   const [{ runTasks }, { actingSession }] = await Promise.all([import('../checks/task_run.ts'), import('../checks/acting_session.ts')]);
   session.useTasks(await runTasks(session));

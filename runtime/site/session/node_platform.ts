@@ -15,7 +15,7 @@ import { SiteError } from '../contract/site_error.ts';
 import type { ReadNow } from '../program/site_files.ts';
 import { strangeReport, takeReport } from '../workers/worker_reports.ts';
 
-/** What a worker thread finds in workerData when it is to serve a node. */
+/** The workerData of a worker thread that is to serve a node. */
 export const workerMark = 'ros2wasm node worker';
 
 /** Bytes; a list of a site is far smaller. */

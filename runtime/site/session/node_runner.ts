@@ -28,7 +28,7 @@ const betweenKeysMs = 200;
 const signsOfCode: ReadonlySet<WorkerReport['t']> = new Set(['waits', 'lines', 'source', 'event', 'file', 'thread', 'end']);
 /** A thread that was about to wait when time changed is told again. */
 const retellMs = 1;
-/** What the threads of a program that is over have written is waited for, as long as this. */
+/** The page waits this long for the last output of the threads of a program that has ended. */
 const lastWordsMs = 2000;
 
 export interface RunnerHost extends ProcessHost {
@@ -48,9 +48,9 @@ export interface RunnerHost extends ProcessHost {
   readonly resetInput: (id: string) => void;
   /** It has written a file and closed it. */
   readonly wrote: (node: SiteNode, path: string, bytes: Uint8Array<ArrayBuffer>) => void;
-  /** A batch of lines was taken over from a worker of the participant. */
+  /** A batch of lines was received from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
-  /** Of the kernel of a notebook. */
+  /** Called with an event of a notebook's kernel. */
   readonly event?: (event: string) => void;
 }
 
@@ -62,9 +62,9 @@ interface Run {
   readonly startedAt: number;
   /** When each of its files was written that has come. */
   readonly written: Map<string, number>;
-  /** Of a program with threads, once it is loaded. */
+  /** The memory of a program with threads, once it is loaded. */
   memory: ThreadMemory | undefined;
-  /** One of its workers has said how it ended: what others say of that later is of no account. */
+  /** One of its workers has reported how it ended: later reports of others about that are ignored. */
   ended: boolean;
   over: boolean;
 }
@@ -76,7 +76,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
   private begun = false;
   private terminal: TerminalMode = TerminalMode.cooked;
   private terminalTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Of the newest run: the sources that it has read, and whether they were changed. */
+  /** For the newest run: the sources that it has read, and whether they were changed. */
   private readonly used = new Map<string, boolean>();
 
   constructor(node: ProgramNode, console: NodeConsole, host: RunnerHost) {
@@ -274,7 +274,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         return;
       case 'file':
         this.host.broker.consoleSeen(participant);
-        // Of a file that several threads have closed the newest counts, whosever report comes last.
+        // When several threads have closed a file, the newest content counts, in whatever order the reports arrive.
         if (report.at < (run?.written.get(report.path) ?? 0)) return;
         run?.written.set(report.path, report.at);
         this.host.wrote(this.node, report.path, report.bytes);

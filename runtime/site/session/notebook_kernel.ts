@@ -5,7 +5,7 @@ import type { NodeRunner } from './node_runner.ts';
 import type { KernelEvent, KernelOrder, NotebookKernel } from '../contract/notebook.ts';
 import type { NodeState, Unsubscribe } from '../contract/session.ts';
 
-/** What a kernel says is its program's word: it may be anything. undefined: it is no event. */
+/** Reads an event of a kernel. The text comes from its program, so it may be anything. undefined: it is not an event. */
 export function readEvent(text: string): KernelEvent | undefined {
   let said: unknown;
   try {

@@ -1,4 +1,4 @@
-// What runs a node of a site: a worker, or for a command of `ros2` the page itself.
+// Chooses the runner for a node of a site: a worker, or the page itself for a command of `ros2`.
 
 import type { ComingUp } from './coming_up.ts';
 import { CommandRunner } from './command_runner.ts';
@@ -8,7 +8,7 @@ import { NodeRunner, type RunnerHost } from './node_runner.ts';
 import type { ProcessRunner } from '../program/process_runner.ts';
 import type { SiteNode } from '../contract/session.ts';
 
-/** What all that run in a session have alike. */
+/** The members of the host that all runners of a session share. */
 export type CommonHost = Omit<RunnerHost, 'changed' | 'settled' | 'shutdown' | 'happened' | 'lines' | 'event'> & {
   readonly comingUp: ComingUp;
   /** undefined: the session's maker has none. */

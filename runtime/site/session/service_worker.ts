@@ -1,8 +1,8 @@
 // The site's service worker. Adds the headers that shared memory needs and the site's Content-Security-Policy to every
-// response, worker scripts too; keeps the site for visits without a network, by content: site.json names the sha256 of
+// response, worker scripts too; caches the site for visits without a network, by content: site.json names the sha256 of
 // each file, and a file is taken from the cache only under the hash that a site.json gives it: for a page that is open the one
-// that it was opened with, so that it goes on as it is when the site is packed anew, and the newest one for the next visit.
-// Every page of the origin can write to the cache. So nothing that lies there is believed: a file is hashed each time it is
+// that it was opened with, so that it continues unchanged when the site is packed again, and the newest one for the next visit.
+// Every page of the origin can write to the cache. So nothing in it is trusted: a file is hashed each time it is
 // taken out, and a list that this worker did not fetch itself counts only when the host or the open page has the same one.
 
 import { mimeTypeOf } from '../contract/mime_types.ts';
@@ -122,7 +122,7 @@ async function fetchList(): Promise<{ readonly response: Response; readonly list
   return { response: listResponse(list), list };
 }
 
-/** Of an earlier visit, for one without a network. */
+/** The list of an earlier visit, for a visit without a network. */
 async function cachedList(url: string): Promise<SiteList | undefined> {
   const cached = await (await caches.open(cacheName)).match(url);
   return cached === undefined ? undefined : listOf(await cached.text());
@@ -214,7 +214,7 @@ function ownList(client: string): Promise<SiteList | undefined> {
   return known;
 }
 
-/** Of the page that asks, or the newest one. */
+/** The files of the requesting page's site list, or of the newest one. */
 async function manifestOf(client: string): Promise<Manifest> {
   return (await ownList(client) ?? await currentList()).files;
 }
@@ -262,7 +262,7 @@ async function answer(event: FetchEvent): Promise<Response> {
   // A visit begins with what the site is now.
   if (request.mode === 'navigate') {
     await freshSite().catch(() => undefined);
-    // A page in a frame within is no visit of the site.
+    // A page in a frame within is not a visit of the site.
     if (file === new URL('index.html', scope.registration.scope).href) await remember(event.resultingClientId);
   }
   const files = request.mode === 'navigate' ? (await currentList()).files : await manifestOf(client);
@@ -275,7 +275,7 @@ async function answer(event: FetchEvent): Promise<Response> {
   const page = canonical(new URL('index.html', scope.registration.scope).href);
   const sandboxed = request.mode === 'navigate' && sha256 !== undefined && address !== page;
   if (cached !== undefined) return withHeaders(cached, sandboxed);
-  // The host may let the browser keep files for long: the site was packed anew since, so ask.
+  // The host may let the browser keep files for long, and the site may have been packed again: so ask the host.
   const response = sha256 === undefined ? await fetch(request) : await fetch(request, { cache: 'no-cache' });
   if (sha256 !== undefined && response.ok && response.type === 'basic') {
     event.waitUntil(keep(address, sha256, response.clone()).catch(() => undefined));

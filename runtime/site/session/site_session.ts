@@ -188,7 +188,7 @@ export class SiteSession implements Session {
       settled: (of) => this.images?.settled(of),
       shutdown: () => undefined,
       happened: () => undefined,
-      // What its program prints outside of Python.
+      // Lines that its program prints outside of Python.
       lines: (_of, { lines }) => {
         for (const [stream, , text] of lines) {
           kernel.told({ event: 'stream', cell: '', name: stream === 1 ? 'stdout' : 'stderr', text: `${text}\n` });
@@ -394,7 +394,7 @@ export class SiteSession implements Session {
     return [...this.runners.values()].some((runner) => runner.respawns());
   }
 
-  /** Who waits still waits; who waited once for a node that runs already would wait for ever. */
+  /** A waiting node keeps waiting. One that would wait for an event of a node that already runs starts at once. */
   private startAsLaunched({ id, startOn, startAfter }: SiteNode, running: ReadonlySet<string> = new Set()): void {
     const goesOn = startOn !== undefined && startOn.event !== 'exit' && running.has(startOn.node);
     const runner = this.runner(id);
@@ -419,11 +419,11 @@ export class SiteSession implements Session {
     this.startAgain();
   }
 
-  /** What restartAll() began, when it is time. */
+  /** Completes restartAll() as soon as no node runs any more. */
   private startAgain(): void {
     if (!this.again || this.running().length > 0) return;
     this.again = false;
-    // Whoever ended last is to be done with its end first.
+    // The node that ended last must first be done with its end.
     queueMicrotask(() => {
       if (!this.closed) this.startAll();
     });
@@ -495,7 +495,7 @@ export class SiteSession implements Session {
     if (this.definitions === undefined) {
       const loading = this.loadInterfaces();
       this.definitions = loading;
-      // Who asks next tries again.
+      // The next call tries again.
       loading.catch(() => {
         this.definitions = undefined;
       });

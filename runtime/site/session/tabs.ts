@@ -16,7 +16,7 @@ export interface TabsOptions {
   readonly changed: () => void;
 }
 
-/** What the tabs of a graph tell each other beside the data. */
+/** The message by which the tabs of a graph inform each other, besides data. */
 interface TabNews {
   readonly id: string;
   readonly number: number;
@@ -140,7 +140,7 @@ export class Tabs {
     return { worker, participant };
   }
 
-  /** Whoever gets the lock of a tab outlived it. */
+  /** Another tab's lock is granted here only when that tab is gone. */
   private watch(other: string): void {
     navigator.locks.request(`${this.prefix} tab ${other}`, { signal: this.ends.signal }, () => this.drop(other))
       .catch(() => undefined);
@@ -172,7 +172,7 @@ export class Tabs {
   }
 }
 
-/** Takes a lock if nobody has it. What is returned lets go of it. */
+/** Takes a lock if nobody has it. The returned function releases it. */
 function hold(name: string): Promise<Release | undefined> {
   return new Promise((resolve, reject) => {
     navigator.locks.request(name, { ifAvailable: true }, (lock) => {

@@ -36,7 +36,7 @@ export function mountPage(
   render(<App session={started.value} kept={kept} store={browserStore()} />, root);
 }
 
-/** What runs the commands that a launch file starts. */
+/** Loads the code that runs the commands of a launch file. */
 export async function loadCommands(): Promise<CommandLoader> {
   return (await import('./parts/launched_commands.ts')).pageCommands;
 }

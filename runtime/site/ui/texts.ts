@@ -14,7 +14,7 @@ export const texts = {
   restartAll: 'Restart all',
   runningOf: (running: number, all: number): string => `${running} of ${all} running`,
   version: (version: string): string => `version ${version}`,
-  /** Of a line that is cut. */
+  /** The end of a line that is cut. */
   moreCharacters: (count: number): string => `(${count} more characters)`,
   by: (names: string): string => `by ${names}`,
 
@@ -107,13 +107,13 @@ export const texts = {
       `The link brings ${count === 1 ? 'a parameter' : `${count} parameters`}, set when ${count === 1 ? 'its node runs' : 'their nodes run'}.`,
     linkNoParameters: 'The parameters in this link cannot be read.',
     linkRefused: (name: string, node: string, reason: string): string => `${name} of ${node} was not set: ${reason}.`,
-    linkInAddress: 'The browser refused to copy. The link stands in the address bar.',
+    linkInAddress: 'The browser refused to copy. The link is in the address bar.',
   },
 
   tabs: {
     join: 'Join other tabs of this site: their nodes and these see each other',
     open: (graph: string): string =>
-      `Graph \u201c${graph}\u201d. Opens another tab that joins it and runs the nodes that nobody runs`,
+      `Graph \u201c${graph}\u201d. Opens another tab that joins it and runs the nodes that no other tab runs`,
     place: (number: number, count: number): string => `Tab ${number} of ${count}`,
     elsewhere: (tabs: readonly number[]): string => `runs in tab ${tabs.join(', ')}`,
   },

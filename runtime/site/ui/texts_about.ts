@@ -16,9 +16,9 @@ export const aboutTexts = {
   generator: 'Made with',
   digest: 'sha256',
   whoSigned: 'Who signed it?',
-  unsigned: 'No signature lies beside this site.',
+  unsigned: 'This site has no signature.',
   signed: (key: string, comment: string): string =>
-    `A signature by the key ${key} lies beside this site, with the comment \u201c${comment}\u201d. This page cannot vouch for itself: compare the key with what its author says elsewhere, then run ros2wasm verify with --key and this address.`,
+    `A signature by the key ${key} is beside this site, with the comment \u201c${comment}\u201d. This page cannot vouch for itself: compare the key with what its author says elsewhere, then run ros2wasm verify with --key and this address.`,
   cite: 'Cite this site',
   copyCite: 'Copy BibTeX',
   licenses: 'Licenses of all parts',
@@ -26,7 +26,7 @@ export const aboutTexts = {
   copyReport: 'Copy a report',
   reportHint: 'for a bug report: versions, states and problems, no console text.',
 
-  /** What the link between the nodes is. */
+  /** The kind of link between the nodes. */
   sharedLong:
     'This page is isolated by the browser, so the nodes share memory: a message is written once and wakes its readers directly.',
   portLong:

@@ -4,7 +4,7 @@ export const embedTexts = {
   whole: 'Open the whole page',
   wholeLong: (title: string): string => `Open the whole page of ${title} in a tab of its own`,
   foot: 'About these panels',
-  /** What is told to the page around this one: what, and what can be done. */
+  /** Errors that are reported to the page around this one: the problem, and a fix. */
   refusals: {
     version: (version: number) => [`this page speaks version ${version} of these messages`, `write \`ros2wasm: ${version}\` in every one`],
     form: (most: number) => [

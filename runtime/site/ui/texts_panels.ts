@@ -103,7 +103,7 @@ export const panelTexts = {
     topic: 'Topic',
     type: 'Type',
     otherType: (topic: string, type: string): string =>
-      `${topic} has the type ${type}: messages of another one reach nobody there.`,
+      `${topic} has the type ${type}: messages of another type reach no node there.`,
     once: 'Publish once',
     rate: 'Rate in Hz',
     repeat: 'Publish at the rate',

@@ -3,9 +3,9 @@
 export const shellTexts = {
   openQuote: 'a quotation mark is left open',
   nothing: 'a command is missing',
-  nothingPiped: 'nothing stands behind |',
+  nothingPiped: 'no command follows |',
   notFilter: (name: string): string => `${name}: cannot stand behind | here: cat, grep, head, sort, tail, uniq and wc can`,
-  pipedFile: (name: string): string => `${name}: behind | it reads what stands before, not files`,
+  pipedFile: (name: string): string => `${name}: after | it reads the output before |, not files`,
   background: '&: a command in the background is not possible here. Open another Terminal with the plus sign of a tab bar',
   notFound: (name: string): string => `${name}: command not found; help says what there is`,
   hints: {
@@ -16,7 +16,7 @@ export const shellTexts = {
   tooLong: (bytes: number): string => `the output is larger than ${bytes} bytes: only what fits is in the file`,
   tooLarge: (bytes: number): string => `larger than ${bytes} bytes`,
   noText: 'binary file',
-  stdin: (program: string): string => `${program}: a file is missing: here it reads files, or what stands before |`,
+  stdin: (program: string): string => `${program}: a file is missing: here it reads files, or the output before |`,
   badCount: (program: string, word: string): string => `${program}: invalid number of lines: \u2018${word}\u2019`,
   badOption: (program: string, word: string): string =>
     word.startsWith('-') ? `${program}: unrecognized option '${word}'` : `${program}: invalid option -- '${word}'`,
@@ -35,7 +35,7 @@ export const shellTexts = {
   full: (program: string): string => `${program}: No space left on device`,
   isSource: (name: string): string => `${name}: a source of the site. nano ${name} opens it in the panel Source, where it can be changed`,
   unreadable: (program: string, name: string, reason: string): string => `${program}: ${name}: ${reason}`,
-  editing: (file: string): string => `${file}: open in the panel Source. \u201cApply and restart\u201d runs it as it stands there`,
+  editing: (file: string): string => `${file}: open in the panel Source. \u201cApply and restart\u201d runs it as shown there`,
   notEditable: (name: string): string =>
     `${name}: not a Python source of the site, which is what the panel Source can change. echo "..." > FILE writes a small file of your own`,
   variableNote: (name: string): string => `${name} is set in this terminal. Nodes have the variables that they are launched with`,
@@ -67,7 +67,7 @@ export const shellTexts = {
     'nano FILE     opens a Python source in the panel Source; code, vim and gedit do too',
     'mkdir, touch, rm, echo TEXT > FILE   files of your own, as long as this page is open',
     'history, export X=y, echo $X, printenv   what was typed, and variables of this terminal',
-    'A | grep X | head -n 5   what stands before | goes through; A && B; C   one after the other',
+    'A | grep X | head -n 5   filter the output before |; A && B; C   one after the other',
     'rviz2, rqt_graph, rqt_console, rqt_plot ...   open the panels that do the same',
     'clear         empties this terminal (Ctrl-L)',
     'Tab completes, the arrow keys recall, Ctrl-C stops.',

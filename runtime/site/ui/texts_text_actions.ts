@@ -15,7 +15,7 @@ const kGoal: Readonly<Record<GoalStatus, string>> = {
 const kCheck: Readonly<Record<CheckView['state'], string>> = { waiting: 'Looking', passed: 'Passed', failed: 'Failed' };
 
 export const textActionTexts = {
-  nobody: (name: string): string => `nobody offers ${name}`,
+  nobody: (name: string): string => `no node offers ${name}`,
   calling: (name: string): string => `Calls ${name}\u2026`,
   replied: (name: string, reply: string): string => `Reply of ${name}:\n${reply}`,
   goal: (name: string, status: GoalStatus): string => `Goal of ${name}: ${kGoal[status]}`,

@@ -51,10 +51,10 @@ export const viewTexts = {
   },
 
   diagnostics: {
-    none: 'Nobody has told of the health of anything since this panel was opened. Nodes do on /diagnostics.',
+    none: 'No diagnostics have arrived since this panel was opened. Nodes publish them on /diagnostics.',
     noneMatch: 'No status matches.',
     filter: 'Filter diagnostics',
-    forget: 'Forget what was told',
+    forget: 'Clear the diagnostics',
     levels: 'Level shown',
     all: 'All',
     level: { error: 'Error', warn: 'Warning', stale: 'Stale', ok: 'OK' },
@@ -149,7 +149,7 @@ export const viewTexts = {
     more: (count: number): string => `${count} more are not shown: the filter finds them.`,
     apart: (count: number, roots: string): string =>
       `${count} trees that do not hang together, below ${roots}. Between them nothing can be transformed.`,
-    loop: (ring: string): string => `A ring of parents, so nobody knows where these frames are: ${ring}`,
+    loop: (ring: string): string => `A ring of parents, so the place of these frames is unknown: ${ring}`,
     within: ' in ',
     refused: (count: number): string =>
       `${count === 1 ? '1 transform was' : `${count} transforms were`} refused: no name, a number that is none, a rotation of zeros, or a frame in itself.`,

@@ -1,4 +1,4 @@
-// What a translation of texts has to have: the same names, and sentences made of the same things.
+// The type of a translation of texts: it has the same names, and sentences with the same parameters.
 // `export const texts: Translation<typeof english> = {...}`, with `import type { texts as english }` of the English file.
 
 export type Translation<T> = T extends string

@@ -10,7 +10,7 @@ import { siteFiles } from '../program/site_files.ts';
 const longestLoadingMs = 180_000;
 const longestRunMs = 60_000;
 
-/** What the evaluator answers with Python beside it. `rest`: what it is asked, a part of a JSON object. */
+/** The answer of the evaluator when it runs together with Python. `rest`: the question, a part of a JSON object. */
 export async function askWithPython(
   site: SiteDescription, launch: LaunchView, data: string, rest: string, platform: Platform,
 ): Promise<unknown> {
@@ -44,7 +44,7 @@ export async function askWithPython(
     const limit = (ms: number): void => {
       clearTimeout(timer);
       timer = setTimeout(() => over(() => reject(new SiteError('R2W0416', 'a launch file does not end', {
-        why: `it was given ${ms / 1000} seconds; its clock stands still`,
+        why: `it was given ${ms / 1000} seconds; its clock does not advance`,
         fix: 'leave the launch arguments out to start the site as it was made',
       }))), ms);
     };

@@ -29,7 +29,7 @@ async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlac
   return runtime.run(module, python, host, place.files, reports);
 }
 
-/** What a worker has beside its messages. */
+/** The functions that a worker has besides its messages. */
 export interface WorkerPlace {
   readonly files: WorkerFiles;
   /** Fetched only for a node that is a Python program. `base`: as in PythonStart. */
@@ -139,7 +139,7 @@ export function serveWorker(
       await place.python(base);
       await place.files.pyodide(base + home);
     } catch {
-      // What needs it tries again, and tells.
+      // The node that needs it tries again, and reports the error.
     }
   };
   return (order) => {

@@ -1,5 +1,6 @@
 // The interface between a session and the place where it runs: a browser page (launcher.ts) or Node.js (headless.ts).
 
+import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
 import type { SiteHost } from '../program/site_host.ts';
 import type { WorkerOrder, WorkerReport } from './worker_messages.ts';
 
@@ -12,7 +13,7 @@ export interface WorkerHandle {
 export interface WorkerEvents {
   readonly report: (report: WorkerReport) => void;
   /** The worker could not start, its script broke, or it sent something that is not a report (`code`, else R2W0708). */
-  readonly failed: (message: string, code?: string) => void;
+  readonly failed: (message: string, code?: DiagnosticCode) => void;
 }
 
 export interface Platform extends SiteHost {

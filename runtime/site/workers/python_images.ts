@@ -15,7 +15,7 @@ import { carriedPrograms, type SiteDescription, type SiteNode, type SiteProgram 
 
 export type ImageOfStart = PythonStart['image'];
 
-/** What all begin with alike, in the same order. */
+/** The longest common beginning of the lists. */
 function commonBegin(lists: readonly (readonly string[])[]): string[] {
   const [first = [], ...others] = lists;
   const end = first.findIndex((one, i) => others.some((other) => other[i] !== one));
@@ -49,7 +49,7 @@ const mostByThemselves = 2;
 
 interface Made {
   readonly bytes: Blob;
-  /** Of an earlier visit. */
+  /** It was cached in an earlier visit. */
   readonly kept: boolean;
 }
 
@@ -88,7 +88,7 @@ export class PythonImages {
     this.program = pays && works ? nodes[0]?.program : undefined;
   }
 
-  /** What a node begins with; undefined: with nothing. Never rejects. */
+  /** The image with which a node begins; undefined: it begins without one. Never rejects. */
   async take(node: SiteNode, environment: Readonly<Record<string, string>>): Promise<ImageOfStart> {
     const { program } = this;
     if (node.kind === 'command' || program === undefined || program !== node.program || node.python === undefined) return undefined;
@@ -118,7 +118,7 @@ export class PythonImages {
     });
   }
 
-  /** It could not be opened: a kept one is made anew, with one that was just made nobody tries again. */
+  /** The image could not be opened: a cached one is made again; after one that was just made, no further try follows. */
   broken(image: ImageOfStart): void {
     const { made } = this;
     if (made === undefined) return;

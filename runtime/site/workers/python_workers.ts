@@ -8,7 +8,7 @@ import { folderOf, homeOf, type PythonFiles } from '../python/python_files.ts';
 interface Spare {
   readonly program: string;
   readonly worker: WorkerHandle;
-  /** Of whoever it becomes the worker of. */
+  /** The handlers of the node that gets this worker; undefined: it is still spare. */
   events: WorkerEvents | undefined;
 }
 
@@ -58,7 +58,7 @@ export class PythonWorkers {
 
   private begun(program: string, name: string, events: WorkerEvents): WorkerHandle {
     const worker = this.platform.startWorker(name, events);
-    // What is not as it was packed is not loaded; whoever asks for the program's parts hears of it.
+    // Files that differ from the packed ones are not loaded; a node that asks for the program's parts gets the error.
     this.files.scripts(program).then(() => {
       worker.post({ t: 'python', base: folderOf(this.platform.place), home: homeOf(program) }, []);
     }, () => undefined);

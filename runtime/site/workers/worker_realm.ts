@@ -1,9 +1,9 @@
-// What the worker of a node loses before anything of a site runs in it. Sites of one origin share the browser's storage and
-// its ways between pages: a node that had them could change what other sites are, now or at later visits. A worker that can
-// start no other worker has no other realm to take them from.
+// The APIs that are removed from the worker of a node before anything of a site runs in it. Sites of one origin share the
+// browser's storage and its channels between pages: a node that had them could change other sites, now or at later visits. A
+// worker that cannot start another worker has no other realm from which to take them.
 
 interface Taken {
-  /** Of the global scope, and of `navigator`: a name that a browser does not have is none to take. */
+  /** Names in the global scope, and in `navigator`; a name that a browser does not have needs no removal. */
   readonly scope?: readonly string[];
   readonly navigator?: readonly string[];
   readonly why: string;
@@ -72,11 +72,11 @@ export const taken: readonly Taken[] = [
   },
   {
     scope: ['close'],
-    why: 'a worker that ends itself tells nobody: the page would show a node that runs',
+    why: 'a worker that ends itself does not report it: the page would show a running node',
   },
 ];
 
-/** What our own code needs of it, for the time before anything of the site runs. */
+/** The removed functions that ros2wasm's own code needs before anything of the site runs. */
 export interface KeptDoors {
   /** Scripts of the site. Pyodide finds out where it runs by there being such a function. */
   readonly importScripts: (...addresses: string[]) => void;

@@ -1,5 +1,5 @@
-// What comes from a worker is its program's word: a program in Python can send what it likes in the worker's place. A
-// report is read before it is believed, and whoever sends something else is ended for it, and nobody else.
+// A report of a worker comes from its program: a program in Python can send anything in the worker's place. So each
+// report is validated before use. Only the node that sends an invalid one is ended for it.
 
 import { TerminalMode } from '../../protocol/generated/constants.ts';
 import { mostLines } from '../bus/console_sender.ts';
@@ -8,11 +8,11 @@ import type { WorkerEvents } from './platform.ts';
 
 type Members = Readonly<Record<string, unknown>>;
 
-/** Of site time, ms since 1970: what a Date can hold. */
+/** The latest site time of a report, ms since 1970: the last one that a Date can hold. */
 const lastMs = 8.64e15;
 /** UTF-16 units; a program's line is cut at a sixteenth of that. */
 const longestText = 1 << 20;
-/** Of a path, or a name. */
+/** Upper bound for a path or a name, in UTF-16 units. */
 const longestName = 4096;
 const code = /^R2W\d{4}$/;
 
@@ -97,7 +97,7 @@ const forms: Readonly<Record<WorkerReport['t'], (report: Members) => boolean>> =
   end: ({ end, closed }) => isEnd(end) && typeof closed === 'boolean',
 };
 
-/** undefined: no program of ours says that. */
+/** The checked report; undefined: no program built by ros2wasm sends it. */
 export function readReport(data: unknown): WorkerReport | undefined {
   if (!isMembers(data)) return undefined;
   const kind = data['t'];
@@ -106,7 +106,7 @@ export function readReport(data: unknown): WorkerReport | undefined {
 }
 
 /** The code of a node that sends something else (cli/explain/R2W0727.md), and what is said of it. */
-export const strangeReport = { code: 'R2W0727', message: 'the program sends the page what is no report of a node' } as const;
+export const strangeReport = { code: 'R2W0727', message: 'the program sends the page what is not a report of a node' } as const;
 
 /** Hands on what a worker has sent. */
 export function takeReport(data: unknown, events: WorkerEvents): void {

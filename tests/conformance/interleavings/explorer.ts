@@ -18,7 +18,7 @@ export interface Run {
 }
 
 export interface Limits {
-  /** How often a process may be interrupted that could go on; endless when left out. */
+  /** How often a process may be interrupted that could go on; endless when omitted. */
   readonly interruptions?: number;
   /** Most deaths in a run. */
   readonly deaths?: number;

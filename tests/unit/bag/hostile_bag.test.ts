@@ -100,7 +100,7 @@ test('a bomb makes no more than it says, and no chunk may say much', watchdog, (
   assert.throws(() => decompressHandlers.lz4(bomb, 2n ** 63n), /too large/);
 });
 
-test('what is no bag is refused', watchdog, async () => {
+test('what is not a bag is refused', watchdog, async () => {
   for (const bytes of [new Uint8Array(), Buffer.from('#ROSBAG V2.0\n'), Buffer.from('SQLite format 3\0'), (await made()).slice(0, 20)]) {
     await assert.rejects(openBag(sourceOf(bytes)), refused('R2W0740'));
   }

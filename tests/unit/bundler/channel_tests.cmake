@@ -12,7 +12,7 @@ add_executable(bundler_channel_test
   channel/shard_index_test.cpp
   channel/spec_table_test.cpp
   io/files_test.cpp
-  io/kept_folder_test.cpp
+  io/cached_folder_test.cpp
   io/part_file_test.cpp
   resolve/check_solution_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/property/solve_against_libsolv_test.cpp

@@ -1,4 +1,4 @@
-// What goes to stdout, what to stderr, and which exit code a set of errors asks for.
+// Tests of the output on stdout and stderr, and of the exit code for a set of errors.
 #include "cli/console.hpp"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ test('what Python refuses is refused, with its name', () => {
   for (const [text, pattern] of [
     ['m.nothing', /^AttributeError: the message has no attribute 'nothing'/], ['m.constructor', /^AttributeError/], ['m.__proto__', /^AttributeError/],
     ['m.ranges.map(1)', /^AttributeError: a list has no method 'map'/], ['m.data.count', /^AttributeError/], ['m.ranges[3]', /^IndexError/],
-    ['m.count / 0', /^ZeroDivisionError/], ["m.data > 1", /^TypeError: a str is no number/], ['len(3)', /^TypeError/], ['m.count[0]', /^TypeError/],
+    ['m.count / 0', /^ZeroDivisionError/], ["m.data > 1", /^TypeError: a str is not a number/], ['len(3)', /^TypeError/], ['m.count[0]', /^TypeError/],
   ] as const)
     assert.throws(() => filterOf(text)(kMessage), { message: pattern }, text);
 });

@@ -62,7 +62,7 @@ class McapTest : public ::testing::Test {
     return found;
   }
 
-  /// Of what is in the file, by its time when it can be.
+  /// The texts in the file, sorted by time when the file allows it.
   Texts read_file() const {
     Reader reader(path());
     ReadQuestion question;

@@ -80,7 +80,7 @@ test('a row without expectation is not green', () => {
   assert.match(summary([row, launch, { ...launch, expected: false }]), /1 of 1 executables and 1 of 2 launch files are green$/);
 });
 
-test('endpoints that every node brings are left out', () => {
+test('endpoints that every node brings are skipped', () => {
   assert.deepEqual(ownEndpoints(['server /n/get_parameters rcl_interfaces/srv/GetParameters', 'subscription /rosout T', 'publisher /rosout T',
     'publisher /a T', 'client /n/x T']), ['client /n/x T', 'publisher /a T', 'subscription /rosout T']);
 });
@@ -114,16 +114,16 @@ test('values are found by path; the first error is told', () => {
   assert.equal(firstError('killed'), undefined);
 });
 
-test('a package that is left out has the first reason of all, with its place; CMake\'s last line is none', () => {
+test('a package that is skipped has the first reason of all, with its place; CMake\'s last line is none', () => {
   const event = (code: string, severity: string, message: string, more: object): string => JSON.stringify({ event: 'diagnostic', code, severity, message, ...more });
   const messages = [
-    event('R2W0519', 'warning', 'package `sim` is left out: no channel has `gazebo`', { span: { file: 'src/sim/package.xml', line: 8 }, why: ['advice'] }),
-    event('R2W0514', 'warning', 'package `lab` is left out: it needs `sim`', { span: null, why: ['`sim` is left out: no channel has `gazebo` (src/sim/package.xml:8)'] }),
+    event('R2W0519', 'warning', 'package `sim` is skipped: no channel has `gazebo`', { span: { file: 'src/sim/package.xml', line: 8 }, why: ['advice'] }),
+    event('R2W0514', 'warning', 'package `lab` is skipped: it needs `sim`', { span: null, why: ['`sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)'] }),
   ].join('\n');
-  assert.deepEqual(whyLeftOut(messages, 'sim'), { code: 'R2W0519', reason: 'package `sim` is left out: no channel has `gazebo` (src/sim/package.xml:8)' });
+  assert.deepEqual(whyLeftOut(messages, 'sim'), { code: 'R2W0519', reason: 'package `sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)' });
   assert.deepEqual(whyLeftOut(messages, 'lab'),
-    { code: 'R2W0514', reason: 'package `lab` is left out: it needs `sim`: `sim` is left out: no channel has `gazebo` (src/sim/package.xml:8)' });
-  assert.deepEqual(whyLeftOut('', 'lab'), { code: 'R2W0514', reason: 'the package is left out' });
+    { code: 'R2W0514', reason: 'package `lab` is skipped: it needs `sim`: `sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)' });
+  assert.deepEqual(whyLeftOut('', 'lab'), { code: 'R2W0514', reason: 'the package is skipped' });
   assert.deepEqual(firstError(event('R2W0503', 'error', 'CMakeLists.txt of package `x` failed: no zmq', {
     span: { file: 'src/x/CMakeLists.txt', line: 4 }, detail: 'CMake Error\n-- Configuring incomplete, errors occurred!\n',
   })), { code: 'R2W0503', reason: 'CMakeLists.txt of package `x` failed: no zmq (src/x/CMakeLists.txt:4)' });

@@ -20,7 +20,7 @@ test('an address and a command line give the same', () => {
   assert.deepEqual([...givenInAddress('?seed=3')], []);
 });
 
-test('R2W0730: what is no launch argument', () => {
+test('R2W0730: what is not a launch argument', () => {
   for (const word of ['robot', ':=x', 'robot=x'])
     assert.throws(() => readGiven([word]), (error) => error instanceof SiteError && error.code === 'R2W0730');
 });

@@ -171,7 +171,7 @@ test('times fill two words', () => {
 const node = { id: 'a-1', package: 'p', executable: 'a', program: 'programs/p/a.wasm' };
 const site = { schema: 1, protocol: 1, name: 'n', nodes: [node] };
 
-test('site.json: what may be left out has a value', () => {
+test('site.json: what may be omitted has a value', () => {
   const read = readSite(site);
   assert.deepEqual(read.nodes[0], {
     id: 'a-1', package: 'p', executable: 'a', label: 'a-1', kind: 'cpp', program: 'programs/p/a.wasm', threads: false,

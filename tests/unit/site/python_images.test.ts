@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { KeptBytes } from '../../../runtime/site/program/kept_bytes.ts';
+import type { KeptBytes } from '../../../runtime/site/program/cached_bytes.ts';
 import type { WorkerReport } from '../../../runtime/site/workers/worker_messages.ts';
 import type { Platform } from '../../../runtime/site/workers/platform.ts';
 import { filledRuns, imageVersion, readImage } from '../../../runtime/site/python/python_image.ts';
@@ -79,7 +79,7 @@ test('one worker makes it for all, of what all have', watchdog, async () => {
   assert.deepEqual([begun, one.archives, ended()], [[['channels.zip', 'workspace.zip']], 2, 1]);
 });
 
-test('who has settings of the interpreter, and who is no Python program, begins by itself', watchdog, async () => {
+test('who has settings of the interpreter, and who is not a Python program, begins by itself', watchdog, async () => {
   const { platform, begun } = place('image');
   const compiled = node('c', undefined);
   const images = imagesOf(site([...three, compiled]), platform, '');
@@ -190,7 +190,7 @@ test('it is kept; a broken one is dropped and made anew once', watchdog, async (
   assert.equal(await images.take(both[0] as SiteNode, {}), undefined);
 });
 
-test('what is no image is not read', async () => {
+test('what is not an image is not read', async () => {
   await assert.rejects(readImage(new Blob([new Uint8Array(4)])), RangeError);
   await assert.rejects(readImage(new Blob([new Uint8Array(64)])), /no image/);
   const head = new TextEncoder().encode(JSON.stringify({ description: 16, runs: [[0, 1 << 20]], size: 1 << 20, files: [], loaded: [] }));

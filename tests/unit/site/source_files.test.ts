@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import type { KeptTexts } from '../../../runtime/site/contract/kept_texts.ts';
+import type { KeptTexts } from '../../../runtime/site/contract/stored_texts.ts';
 import { SiteError } from '../../../runtime/site/contract/site_error.ts';
 import { readSite } from '../../../runtime/site/contract/site_reader.ts';
 import { mostOfFile, mostOfSite, SourceFiles } from '../../../runtime/site/python/source_files.ts';
@@ -117,7 +117,7 @@ test('what cannot be kept lasts for the visit; what is too long is not taken', (
 });
 
 // Guarantee, hostile input: what is in the browser's storage for changed sources, and broken archives of sources
-test('what others left in the storage is no change', () => {
+test('what others left in the storage is not a change', () => {
   const hash = hashOf(files['a.py'] ?? '');
   for (const raw of ['', 'x', 'null', '[]', '{"of":1,"text":"x"}', `{"of":"${hash}","text":1}`, `{"of":"${hash}"}`, JSON.stringify({ of: hash, text: 'x'.repeat(mostOfFile + 1) })]) {
     const sources = sourcesWith(storage(new Map([['lib/a.py', raw]])));

@@ -1,4 +1,4 @@
-// Nodes that cannot start: no place on the bus, a worker whose script breaks or that sends what is no report, an engine
+// Nodes that cannot start: no place on the bus, a worker whose script breaks or that sends what is not a report, an engine
 // that cannot suspend; and one that is slow to start.
 
 // Compatibility, cannot: nodes, of Python too, in a browser that suspends no programs (no JSPI), on a page without shared memory -> each
@@ -62,7 +62,7 @@ for (const [name, sent] of [
     const forge = "import { parentPort } from 'node:worker_threads';\nconst send = parentPort.postMessage.bind(parentPort);\n"
       + `parentPort.postMessage = (report) => { send(report); if (report.t === 'running') send(${sent}); };`;
     assert.deepEqual(await endOf(new PortBroker(), forge), {
-      kind: 'crashed', code: 'R2W0727', message: 'the program sends the page what is no report of a node',
+      kind: 'crashed', code: 'R2W0727', message: 'the program sends the page what is not a report of a node',
     });
   });
 }

@@ -47,7 +47,7 @@ for (const link of ['shared', 'port'] as const) {
       await until(run, ([listen]) => listen?.checks.every(({ state }) => state === 'already') === true);
       assert.deepEqual(states(run), [['already', 'already'], ['open']]);
       assert.deepEqual(run.views().map(({ done }) => done), [false, false]);
-      // Looking is no act.
+      // Looking is not an act.
       acting.node().subscription('/chatter', '', {}, () => undefined);
       acting.node().timer(1000, () => undefined);
       acting.nodes();

@@ -55,7 +55,7 @@ test('what programs report is read as it is', () => {
   for (const report of right) assert.equal(readReport(report), report, JSON.stringify(report, (_key, value: unknown) => value instanceof WebAssembly.Memory ? 'memory' : value));
 });
 
-test('anything else is no report', () => {
+test('anything else is not a report', () => {
   for (const [i, data] of wrong.entries()) assert.equal(readReport(data), undefined, `number ${i}`);
 });
 

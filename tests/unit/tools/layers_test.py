@@ -16,8 +16,8 @@ FILES = {
     "runtime/site/bag/player.ts": "import { read } from '../decode/reader.ts';\n",
     "runtime/site/ui/page.tsx": "import { open } from '../session/launcher.ts';\n",
     "runtime/protocol/generated/constants.ts": "export const one = 1;\n",
-    "bundler/plan.cpp": "#include \"workspace_schema/manifest.hpp\"\n",
-    "workspace_schema/manifest.hpp": "#include <string>\n",
+    "bundler/plan.cpp": "#include \"workspace_schema/schema/manifest.hpp\"\n",
+    "workspace_schema/schema/manifest.hpp": "#include <string>\n",
     "cli/main.cpp": "#include \"bundler/plan.hpp\"\n",
     "runtime/packages/client/rclcpp/package.xml": "<package/>",
     "runtime/packages/client/rclcpp/src/node.cpp": "#include \"rclcpp/node.hpp\"\n",
@@ -36,10 +36,15 @@ PLANTED = {
     "a circle of two": ("runtime/site/decode/reader.ts", "import { j } from './ros_names.ts';", "import each other"),
     "an unknown floor": ("runtime/site/attic/old.ts", "", "no such floor"),
     "the schema uses the bundler": (
-        "workspace_schema/manifest.hpp", "#include \"bundler/plan.hpp\"", "is below bundler"),
+        "workspace_schema/schema/manifest.hpp", "#include \"bundler/plan.hpp\"", "is below bundler"),
     "a step uses a later one": ("bundler/io/files.cpp", "#include \"bundler/emit/page.hpp\"", "io is below emit"),
     "a step uses what joins the steps": (
         "bundler/io/files.cpp", "#include \"bundler/plan.hpp\"", "is below what joins"),
+    "what is pure uses what reaches the disk": (
+        "bundler/launch/scope.hpp", "#include \"bundler/launch/host/world.hpp\"", "does not know host"),
+    "the base of the schema uses the manifest": (
+        "workspace_schema/base/json.hpp", "#include \"workspace_schema/schema/manifest.hpp\"", "does not know schema"),
+    "a part without a place": ("workspace_schema/attic/old.hpp", "", "no such part"),
     "a folder of the bundler without a place": ("bundler/attic/old.cpp", "", "no such folder"),
     "the bundler uses the site": ("bundler/plan.cpp", "#include \"runtime/site/x.hpp\"", "nothing of the site"),
     "a package uses the bundler": (

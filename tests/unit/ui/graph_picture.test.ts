@@ -225,7 +225,7 @@ test('what leaves and comes back moves nothing, nor does one thing more', () => 
   assert.equal(fifth.version, first.version + 1);
 });
 
-test('a graph that is too large is drawn as far as it can be, and says how much is left out', () => {
+test('a graph that is too large is drawn as far as it can be, and says how much is skipped', () => {
   const of = picture(Array.from({ length: 400 }, (_, index) => node(`/n${index}`, { pub: ['/all'], sub: ['/all'] })), { mode: 'nodes' });
   assert.ok(of.boxes.length > 10 && of.boxes.length < 30, `${of.boxes.length} boxes`);
   assert.equal(of.boxes.length + of.leftOut, 400);

@@ -20,7 +20,7 @@ test('joints have their limits, zeros and those that they mimic', () => {
   assert.deepEqual(rounded(jointPositions(joints, new Map([['up', 0.5], ['tip', 9], ['turn', 1]]))), [1, 0.5, 0, 0, -0.9, -0.9]);
 });
 
-test('what is no robot has no joints, and mimics in a ring come to an end', () => {
+test('what is not a robot has no joints, and mimics in a ring come to an end', () => {
   for (const wrong of ['', 'words', '<html/>', '<robot>', ' '.repeat(20_000_000)]) assert.equal(readJoints(wrong), null);
   const many = readJoints(`<robot>${Array.from({ length: 900 }, (_, i) => `<joint name="j${i}" type="continuous"/>`).join('')}</robot>`);
   assert.equal(many?.length, 500);

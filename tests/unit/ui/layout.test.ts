@@ -138,7 +138,7 @@ test('a point near an edge means the half beside it', () => {
   assert.equal(zoneAt(box, 300, 295), 'below');
 });
 
-test('unknown panels are left out, and told', () => {
+test('unknown panels are skipped, and told', () => {
   const read = readLayout({ row: ['nodes', 'games', { column: ['films'] }, { tabs: ['console', 7] }] }, isKnown);
   assert.deepEqual(read.leftOut, ['games', 'films', '?']);
   assert.deepEqual(writeLayout(read.layout ?? assert.fail()), {

@@ -77,7 +77,7 @@ test('STL, OBJ and glTF are read with what they name, once, and scaled', async (
   assert.deepEqual([inMessage.problem, inMessage.object.children.length, asked], ['', 1, []]);
 });
 
-test('what is no mesh of the site is said with R2W0743, and nothing is asked for', async () => {
+test('what is not a mesh of the site is said with R2W0743, and nothing is asked for', async () => {
   const many = Buffer.alloc(84 + 50 * 2_000_001);
   many.writeUInt32LE(2_000_001, 80);
   const files = {

@@ -59,8 +59,8 @@ test('cells that are added or have the same id get ids of their own', () => {
   assert.ok(ids.every((id) => /^[a-zA-Z0-9_-]{1,64}$/.test(id)), ids.join());
 });
 
-// Guarantee, hostile input: a file that is no notebook of nbformat 4 is refused by the page, whatever its size or depth
-test('what is no notebook is refused', () => {
+// Guarantee, hostile input: a file that is not a notebook of nbformat 4 is refused by the page, whatever its size or depth
+test('what is not a notebook is refused', () => {
   const refused = (text: string): string => {
     const found = readNotebook(text);
     return found.kind === 'failed' ? found.reason : 'read';
@@ -73,7 +73,7 @@ test('what is no notebook is refused', () => {
   assert.equal(refused(JSON.stringify({ nbformat: 4, nbformat_minor: 5, cells: Array(1001).fill({}) })), 'it has more than 1000 cells');
   assert.equal(refused(' '.repeat((8 << 20) + 1)), 'it is larger than 8 MiB');
   assert.ok(refused('['.repeat(100_000)) !== 'read');
-  // Odd parts of a notebook are left out, or read as text.
+  // Odd parts of a notebook are skipped, or read as text.
   const odd = read({ nbformat: 4, nbformat_minor: 99, metadata: 7, cells: [null, 5, { cell_type: 'strange', source: [1, 'a'], outputs: 'x' }] });
   assert.deepEqual(odd.cells.map(({ kind, source, outputs }) => [kind, source, outputs]), [['raw', 'a', []]]);
 });

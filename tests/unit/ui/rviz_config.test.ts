@@ -54,12 +54,12 @@ test('displays, frame, view and goal are taken over', () => {
   assert.ok(Math.abs((top?.options.view?.distance ?? 0) - 3 / Math.tan(Math.PI / 8)) < 1e-9);
 });
 
-test('kinds of displays are those that pack tells of, and what is not drawn is left out', () => {
+test('kinds of displays are those that pack tells of, and what is not drawn is skipped', () => {
   const read = (path: string): string => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
   const scene = readRviz(read('tests/support/rviz/kinds.rviz')) ?? assert.fail();
   assert.deepEqual(scene.options.topics, ['/t1', '/t2', '/t3', '/t4', '/t5', '/t6', '/t7', '/t8', '/t9']);
   assert.deepEqual([scene.options.grid, scene.options.frames], [true, true]);
-  assert.deepEqual(scene.leftOut, [1, 2, 3].map((number) => `left out ${number}`));
+  assert.deepEqual(scene.leftOut, [1, 2, 3].map((number) => `skipped ${number}`));
   assert.deepEqual(scene.options.images?.map(({ topic }) => topic), ['/i1', '/i2', '/i3']);
   const [, list = ''] = /kDrawn\[\] = \{([^}]*)\}/.exec(read('bundler/launch/rviz_config.cpp')) ?? [];
   assert.deepEqual([...list.matchAll(/"(\w+)"/g)].map(([, kind]) => kind).sort(), [...kDrawn].sort());

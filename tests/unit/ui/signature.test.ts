@@ -13,7 +13,7 @@ test('the id is as minisign writes it, the comment as it stands', () => {
   assert.deepEqual(claimedSignature(text), { keyId: 'B4479D420EE3E14', comment: 'Lab 3 <b>' });
 });
 
-test('what was cut, is another kind, too long or holds control characters is no signature', () => {
+test('what was cut, is another kind, too long or holds control characters is not a signature', () => {
   const id = [1, 2, 3, 4, 5, 6, 7, 8];
   const whole = signature(id, 'ok');
   for (let length = 0; length < whole.indexOf('trusted comment: ', 30) + 17; length += 1)

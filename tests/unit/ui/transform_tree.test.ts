@@ -109,7 +109,7 @@ test('loops, trees apart and frames that nobody knows are told', () => {
   assert.deepEqual(tree.loops(), []);
 });
 
-test('what is no transform is refused', () => {
+test('what is not a transform is refused', () => {
   const tree = new TransformTree();
   const refused: readonly unknown[] = [
     message('odom', 'base', NaN), message('odom', 'base', Infinity), message('odom', 'base', 1, 1, 0),

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { readUrdf } from '../../../runtime/site/ui/model/urdf.ts';
 import { readXml } from '../../../runtime/site/ui/model/xml.ts';
 
-test('elements, attributes and entities are read; comments, words and declarations are left out', () => {
+test('elements, attributes and entities are read; comments, words and declarations are skipped', () => {
   const root = readXml(`<?xml version="1.0"?><!DOCTYPE robot><!-- <a> -->
 <x:robot a = "1 &lt; 2 &#65;&#x42; &odd;" b='"'> words <![CDATA[ </x:robot> ]]> <link/><link name="two"></link ></x:robot>\n`);
   assert.equal(root?.name, 'robot');
@@ -12,7 +12,7 @@ test('elements, attributes and entities are read; comments, words and declaratio
   assert.deepEqual(root?.children.map(({ name, attributes }) => [name, attributes.get('name')]), [['link', undefined], ['link', 'two']]);
 });
 
-test('what is no XML is refused, and nothing takes long', () => {
+test('what is not an XML is refused, and nothing takes long', () => {
   const wrong = [
     '', 'words', '<', '<a', '<a>', '<a></b>', '</a>', '<a/><b/>', '<a b=c/>', '<a b="<"/>', '<!-- no end', '<a><!-- --></a', '<a ""/>',
     '<!DOCTYPE r [<!ENTITY a "x">]><r b="&a;"/>', '<a>'.repeat(100_000), '<a '.repeat(100_000), `<a${' b="1"'.repeat(10_000)}`,

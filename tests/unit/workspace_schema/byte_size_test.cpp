@@ -1,5 +1,5 @@
 // Sizes with units: what is one, what was meant, and how they are written.
-#include "workspace_schema/byte_size.hpp"
+#include "workspace_schema/base/byte_size.hpp"
 
 #include <gtest/gtest.h>
 

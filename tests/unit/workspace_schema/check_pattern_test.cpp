@@ -1,6 +1,6 @@
 // Which regular expressions checks take: those that std::regex and JavaScript read alike, and that
 // end soon.
-#include "workspace_schema/check_pattern.hpp"
+#include "workspace_schema/schema/check_pattern.hpp"
 
 #include <gtest/gtest.h>
 

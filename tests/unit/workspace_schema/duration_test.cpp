@@ -1,5 +1,5 @@
 // `--for`: what is a duration and what is not.
-#include "workspace_schema/duration.hpp"
+#include "workspace_schema/base/duration.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(ParseDuration, RefusesTheRest) {
         "5s5s", "1m30s"}) {
     const auto duration = parse_duration(text);
     ASSERT_FALSE(duration.ok()) << text;
-    EXPECT_EQ(duration.errors().front().code, "R2W0621");
+    EXPECT_EQ(duration.errors().front().code.text(), "R2W0621");
     EXPECT_EQ(duration.errors().front().kind, FailureKind::kCommandLine);
     EXPECT_FALSE(duration.errors().front().why.empty());
   }

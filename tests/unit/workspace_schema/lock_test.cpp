@@ -1,5 +1,5 @@
 // The lock: one form for one content, and what is refused.
-#include "workspace_schema/lock.hpp"
+#include "workspace_schema/schema/lock.hpp"
 
 #include <gtest/gtest.h>
 

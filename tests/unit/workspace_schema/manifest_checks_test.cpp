@@ -1,10 +1,10 @@
 // `checks:` of a manifest: each kind, and what is refused where.
-#include "workspace_schema/manifest_checks.hpp"
+#include "workspace_schema/schema/manifest_checks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "workspace_schema/check_json.hpp"
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/check_json.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,13 +1,13 @@
 // workspace.yaml -> Manifest: what good manifests mean. What bad ones print is in
 // tests/golden/manifest.
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "workspace_schema/manifest_json.hpp"
+#include "workspace_schema/schema/manifest_json.hpp"
 
 namespace ros2wasm {
 namespace {

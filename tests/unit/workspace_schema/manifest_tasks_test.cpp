@@ -1,9 +1,9 @@
 // `tasks:` of a manifest: what becomes of one, and what is refused where.
-#include "workspace_schema/manifest_tasks.hpp"
+#include "workspace_schema/schema/manifest_tasks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,6 +1,6 @@
 // Match specs: the table of conda's answers, what is refused, and the parts that the table does not
 // show.
-#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ TEST(MatchSpec, RefusesWhatIsNone) {
                            "pkg[build_number='>']"}) {
     const auto spec = MatchSpec::parse(text);
     ASSERT_FALSE(spec.ok()) << text;
-    EXPECT_EQ(spec.errors().front().code, "R2W0303") << text;
+    EXPECT_EQ(spec.errors().front().code.text(), "R2W0303") << text;
   }
 }
 

@@ -8,10 +8,10 @@
 #include <random>
 #include <sstream>
 
-#include "workspace_schema/manifest_json.hpp"
-#include "workspace_schema/manifest_reader.hpp"
-#include "workspace_schema/package_xml.hpp"
-#include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
+#include "workspace_schema/schema/manifest_json.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
+#include "workspace_schema/schema/package_xml.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -89,7 +89,7 @@ class Mutator {
 void expect_well_formed(const Diagnostics& diagnostics, const std::string& input) {
   ASSERT_FALSE(diagnostics.empty());
   for (const Diagnostic& diagnostic : diagnostics) {
-    ASSERT_EQ(diagnostic.code.size(), 7U) << input;
+    ASSERT_FALSE(diagnostic.code.empty()) << input;
     ASSERT_FALSE(diagnostic.message.empty()) << input;
     ASSERT_TRUE(diagnostic.span.has_value()) << input;
     const SourceSpan& span = *diagnostic.span;

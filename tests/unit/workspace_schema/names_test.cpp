@@ -1,5 +1,5 @@
 // The name rules of ROS 2 and of the site, and that every offered name passes the rule it broke.
-#include "workspace_schema/names.hpp"
+#include "workspace_schema/base/names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // package.xml: formats, kinds, conditions, places, and mistakes.
-#include "workspace_schema/package_xml.hpp"
+#include "workspace_schema/schema/package_xml.hpp"
 
 #include <gtest/gtest.h>
 

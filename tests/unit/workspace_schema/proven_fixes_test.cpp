@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "unit/workspace_schema/schema_validator.hpp"
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {

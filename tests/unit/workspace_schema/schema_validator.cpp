@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "workspace_schema/yaml_scalar.hpp"
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 namespace ros2wasm::testing {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/yaml_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
 
 namespace ros2wasm::testing {
 

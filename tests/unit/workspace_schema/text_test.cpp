@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "workspace_schema/json_reader.hpp"
-#include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/replaced_text.hpp"
-#include "workspace_schema/source_text.hpp"
-#include "workspace_schema/suggestion.hpp"
-#include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/base/json_reader.hpp"
+#include "workspace_schema/base/json_writer.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
+#include "workspace_schema/base/source_text.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/base/text_encoding.hpp"
 
 namespace ros2wasm {
 namespace {

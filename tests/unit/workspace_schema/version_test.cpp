@@ -1,5 +1,5 @@
 // Versions: order, prefixes, and what is none.
-#include "workspace_schema/version.hpp"
+#include "workspace_schema/conda/version.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ TEST(Version, RefusesWhatIsNone) {
                            "1-2_3", "1.2~3", "5.\xC3\xA4", "1.2+"}) {
     const auto parsed = Version::parse(text);
     ASSERT_FALSE(parsed.ok()) << text;
-    EXPECT_EQ(parsed.errors().front().code, "R2W0304");
+    EXPECT_EQ(parsed.errors().front().code.text(), "R2W0304");
   }
   EXPECT_FALSE(Version::parse(std::string(100'000, '1')).ok());
 }

@@ -1,9 +1,9 @@
 // Names of wheels, and what their Requires-Dist lines ask for in a site.
-#include "workspace_schema/wheel_requirement.hpp"
+#include "workspace_schema/conda/wheel_requirement.hpp"
 
 #include <gtest/gtest.h>
 
-#include "workspace_schema/wheel_name.hpp"
+#include "workspace_schema/conda/wheel_name.hpp"
 
 namespace ros2wasm {
 namespace {

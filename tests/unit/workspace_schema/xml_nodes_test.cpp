@@ -1,8 +1,8 @@
 // XML as it is written, with its texts and comments, and back to text.
 #include <gtest/gtest.h>
 
-#include "workspace_schema/xml_reader.hpp"
-#include "workspace_schema/xml_writer.hpp"
+#include "workspace_schema/base/xml_reader.hpp"
+#include "workspace_schema/base/xml_writer.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,5 +1,5 @@
 // The YAML reader: places of values and of missing values, aliases, limits, and what is refused.
-#include "workspace_schema/yaml_reader.hpp"
+#include "workspace_schema/base/yaml_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ TEST(YamlReader, TagsAndAnchors) {
   EXPECT_EQ(read_yaml("a: !!str 5"), "{a: 5@1:10+1}");
   EXPECT_EQ(read_yaml("a: &x b\nc: *x"), "{a: b@1:7+1, c: b@1:7+1}");
   EXPECT_EQ(read_yaml("a: &x [1]\nc: *x"), "{a: [1@1:8+1], c: [1@1:8+1]}");
-  EXPECT_EQ(read_yaml("a: &x [*x]"), "R2W0101: an alias stands inside the value that it names");
+  EXPECT_EQ(read_yaml("a: &x [*x]"), "R2W0101: an alias is inside the value that it names");
 }
 
 TEST(YamlReader, DuplicateKeysAreReportedAndTheFirstCounts) {

@@ -1,5 +1,5 @@
-// What scalars mean, and that texts can be written so that they are read back.
-#include "workspace_schema/yaml_scalar.hpp"
+// Tests of the meaning of scalars, and that written texts are read back unchanged.
+#include "workspace_schema/base/yaml_scalar.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What the graph offers to be called: services and actions, once each, whoever serves them. Pure.
+// The services and actions of the graph that can be called, once each, however many nodes serve them. Pure.
 
 import type { GraphView } from '../../contract/session.ts';
 import { isHiddenName } from '../../decode/ros_names.ts';

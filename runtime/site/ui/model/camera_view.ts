@@ -8,7 +8,7 @@ export interface CameraView {
   /** The point in the middle of the picture. */
   readonly target: Vector;
   readonly distance: number;
-  /** Of the camera around the target, as a yaw. */
+  /** The yaw of the camera around the target, in radians. */
   readonly azimuth: number;
   /** Above the horizon. */
   readonly elevation: number;
@@ -24,7 +24,7 @@ export const kUsualView: CameraView = {
   top: false,
 };
 
-/** Of the whole picture's height, in radians. */
+/** The angle of view over the picture's height, in radians. */
 export const kFieldOfView = Math.PI / 4;
 
 const kLeastDistance = 0.01;

@@ -1,4 +1,4 @@
-// What the kernel says of a cell, as outputs of nbformat. Pure: old outputs in, new ones out.
+// Converts the kernel's events about a cell to outputs of nbformat. Pure: old outputs in, new ones out.
 
 import type { KernelEvent } from '../../contract/session.ts';
 import { joined } from './notebook.ts';
@@ -10,7 +10,7 @@ const kMostOutputs = 1000;
 
 export interface ShownOutputs {
   readonly outputs: readonly CellOutput[];
-  /** Names under which outputs can be shown anew, by their places. */
+  /** Names under which outputs can be updated, with their places. */
   readonly names: ReadonlyMap<string, readonly number[]>;
   /** All goes when something new comes. */
   readonly clears: boolean;

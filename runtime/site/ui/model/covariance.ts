@@ -15,7 +15,7 @@ const kCount = 36;
 const kLeast = 1e-4;
 const kMost = 1e4;
 
-/** null: it is no covariance, or says nothing. */
+/** null: it is not covariance, or says nothing. */
 export function readCovariance(value: unknown): Spread | null {
   if (!(Array.isArray(value) || value instanceof Float64Array) || value.length !== kCount) return null;
   const at = (row: number, column: number): number => asNumber(value[row * 6 + column]);
@@ -25,7 +25,7 @@ export function readCovariance(value: unknown): Spread | null {
   return ellipse === null && heading === 0 ? null : { ellipse, heading };
 }
 
-/** Of a symmetric matrix: the roots of its eigenvalues, and where the first one's vector points. */
+/** The ellipse of a symmetric matrix: the square roots of its eigenvalues, and the direction of the first eigenvector. */
 function ellipseOf(xx: number, xy: number, yy: number): Spread['ellipse'] {
   const middle = (xx + yy) / 2;
   const apart = Math.hypot((xx - yy) / 2, xy);

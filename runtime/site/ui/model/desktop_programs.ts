@@ -30,7 +30,7 @@ export interface OpenedPanel {
   readonly rest: readonly string[];
 }
 
-/** What `rqt_graph` or `ros2 run rqt_graph rqt_graph` opens. `carried`: packages that the site has. */
+/** The panel that `rqt_graph` or `ros2 run rqt_graph rqt_graph` opens. `carried`: packages that the site has. */
 export function desktopPanel(words: readonly string[], carried: readonly string[]): OpenedPanel | undefined {
   const isRun = words[0] === 'ros2' && words[1] === 'run';
   if (isRun && carried.includes(words[2] ?? '')) return undefined;

@@ -1,5 +1,5 @@
-// What the parts of a robot say of their health on /diagnostics: the newest status of each by name. Pure; what it is given
-// may be hostile.
+// The health of a robot's parts, as published on /diagnostics: the newest status of each by name. Pure; the input may be
+// hostile.
 
 import { asNumber } from './field_path.ts';
 import { member, textMember } from './json.ts';
@@ -9,7 +9,7 @@ export type DiagnosticLevel = (typeof kLevels)[number];
 
 export interface DiagnosticStatus {
   readonly name: string;
-  /** As it was told; a number that is no level is an error. */
+  /** The level as it was published; an unknown number counts as an error. */
   readonly told: DiagnosticLevel;
   readonly message: string;
   readonly hardwareId: string;
@@ -35,7 +35,7 @@ export class Diagnostics {
   private readonly known = new Map<string, DiagnosticStatus>();
   private leftOutCount = 0;
 
-  /** Statuses that were left out because there are too many names. */
+  /** Statuses that were skipped because there are too many names. */
   get leftOut(): number {
     return this.leftOutCount;
   }

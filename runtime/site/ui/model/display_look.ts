@@ -5,7 +5,7 @@ import { flagMember, isRecord, member, numberMember, textMember } from './json.t
 import type { Json } from './json.ts';
 
 export interface DisplayLook {
-  /** Of points, in pixels. */
+  /** The size of points, in pixels. */
   readonly size?: number;
   /** `#rrggbb`. */
   readonly color?: string;
@@ -42,7 +42,7 @@ export function isColor(text: string): boolean {
   return /^#[0-9a-f]{6}$/i.test(text);
 }
 
-/** What is missing or wrong is as usual. */
+/** Missing or invalid members have the usual value. */
 export function readLook(value: unknown): DisplayLook {
   const number = (name: string, least: number, most: number): number => numberMember(value, name, least, most, NaN);
   const color = textMember(value, 'color');

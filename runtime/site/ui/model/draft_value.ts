@@ -14,7 +14,7 @@ export function stampOf(ms: number): SiteStamp {
   return { sec, nanosec: Math.min(999_999_999, Math.round((ms - sec * 1000) * 1e6)) };
 }
 
-/** What a number's text means for its field; the text itself when it is none, for the encoder to refuse. */
+/** The value of a number's text for its field; the text itself when it is not a number, so that the encoder refuses it. */
 export function readNumber(text: string, type: string): unknown {
   const trimmed = text.trim();
   if (type.startsWith('float')) {
@@ -53,7 +53,7 @@ export function onto(begin: MessageValue, given: Readonly<Record<string, unknown
       if (isMessage(value) && isMessage(own)) return [name, onto(value, own)];
       return [name, isList(own) ? Array.from(own) : own];
     }),
-    // What does not belong there is kept, and refused when it is sent.
+    // Unknown fields stay in the message, and are refused when it is sent.
     ...Object.entries(given).filter(([name]) => !Object.hasOwn(begin, name)),
   ]);
 }

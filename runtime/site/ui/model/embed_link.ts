@@ -21,7 +21,7 @@ export function readEmbed(search: string): EmbedView | null {
   return { panels: panels.filter((name) => name !== '').slice(0, kMostPanels) };
 }
 
-/** Of the link's layout the panels that are asked for, as they stand there, and the others beside them. */
+/** The layout of the requested panels: those in the link's layout keep their places, the others are put beside them. */
 export function embeddedLayout(
   { panels }: EmbedView,
   linked: ReadLayout,

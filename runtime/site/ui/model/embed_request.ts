@@ -1,6 +1,7 @@
-// What a page that shows this one in a frame may ask for by postMessage (docs/page.md), and how much of it. What it sends is
-// hostile: one object of a known shape, bounded in size and depth, or a refusal. Pure.
+// The requests that a page that shows this one in a frame may send by postMessage (docs/page.md), and their limits. They are
+// hostile: each is either one object of a known shape, bounded in size and depth, or it is refused. Pure.
 
+import type { DiagnosticCode } from '../../contract/diagnostic_codes.ts';
 import { embedTexts } from '../texts_embed.ts';
 import { isRecord, member, numberMember, readJson } from './json.ts';
 import type { Json } from './json.ts';
@@ -19,11 +20,11 @@ const kCommands = 'hello, state, height, watch, checks, run_checks, tasks, start
 
 /** Why a request is not followed, in the form of every failure (model/problem.ts). */
 export class Refusal extends Error {
-  readonly code: string;
+  readonly code: DiagnosticCode;
   readonly fix: string;
   readonly why: string;
 
-  constructor(code: string, message: string, fix: string, why = '') {
+  constructor(code: DiagnosticCode, message: string, fix: string, why = '') {
     super(message);
     this.code = code;
     this.fix = fix;

@@ -18,7 +18,7 @@ export interface Place extends Point, Size {}
 
 export interface Sizes {
   readonly boxes: ReadonlyMap<string, Size>;
-  /** Of what is written on wires. */
+  /** The sizes of the labels on wires. */
   readonly wires: ReadonlyMap<string, Size>;
 }
 
@@ -49,7 +49,7 @@ export function layOut(picture: Picture, sizes: Sizes, direction: Direction): Gr
     // Turns fewer wires round than the usual way, and is several times as fast where many lead back.
     acyclicer: 'greedy',
   });
-  // Numbers for names: what programs call themselves is no key here.
+  // Numbers for names: what programs call themselves is not a key here.
   const keys = new Map(picture.boxes.map(({ id }, index) => [id, `b${index}`]));
   const groups = new Map(picture.groups.map(({ id }, index) => [id, `g${index}`]));
   for (const [, key] of groups) graph.setNode(key, {});

@@ -1,5 +1,5 @@
-// What the graph panel draws, without where: boxes, the wires between them, and groups of namespaces. From the graph and
-// what the visitor wants to see of it. Pure.
+// The contents of the graph panel, without positions: boxes, the wires between them, and groups of namespaces. Made from the
+// graph and the visitor's choices. Pure.
 
 import type { GraphNodeView, GraphView } from '../../contract/session.ts';
 import { isHiddenName, splitNodeName } from '../../decode/ros_names.ts';
@@ -17,22 +17,22 @@ export interface PictureOptions {
   readonly text: string;
 }
 
-/** What leads from node to node. */
+/** The kinds of connections between nodes. */
 export type WireKind = 'topic' | 'action' | 'service';
 export type BoxKind = 'node' | WireKind;
 
 export interface Box {
-  /** Of one node also when several have its name. */
+  /** Unique, also when several nodes have the same name. */
   readonly id: string;
   readonly kind: BoxKind;
   /** Fully qualified. */
   readonly name: string;
-  /** What is written in it: the name within its group, shortened. */
+  /** The text in the box: the name within its group, shortened. */
   readonly label: string;
   readonly group: string | null;
 }
 
-/** What is written on a wire between two nodes. */
+/** One line of the text on a wire between two nodes. */
 export interface WireLine {
   readonly kind: WireKind;
   readonly name: string;
@@ -46,7 +46,7 @@ export interface Wire {
   readonly kind: WireKind;
   /** Names of the topics, actions or services it stands for. */
   readonly names: readonly string[];
-  /** Whose rate it has: a topic of which all messages pass it. */
+  /** The topic whose rate the wire shows, since all of its messages pass it; null: none. */
   readonly rateOf: string | null;
   readonly lines: readonly WireLine[];
   /** How many more would be written on it. */
@@ -65,14 +65,14 @@ export interface Picture {
   readonly wires: readonly Wire[];
   /** Outer ones first. */
   readonly groups: readonly Group[];
-  /** How many boxes were left out because there are too many. */
+  /** How many boxes were skipped because there are too many. */
   readonly leftOut: number;
 }
 
 /** More take the layout too long, and nobody could read them. */
 const kMostBoxes = 150;
 const kMostWires = 400;
-/** Of nodes that are looked at: far more than are drawn. */
+/** Upper bound of the pairs of nodes that are examined: far more than are drawn. */
 const kMostPairs = 50_000;
 const kMostLines = 4;
 const kLongestLabel = 40;
@@ -98,7 +98,7 @@ interface Ends {
   readonly to: Set<string>;
 }
 
-/** Of each topic (or action) by name: the boxes that write to it, and those that read. */
+/** For each topic by name: the boxes that write to it, and those that read. */
 export function topicEnds(graph: GraphView, hidden: boolean): ReadonlyMap<string, Ends> {
   const found = new Map<string, Ends>();
   for (const { id, node } of shownNodes(graph, hidden)) {
@@ -276,7 +276,7 @@ function groupsOf(boxes: readonly Bare[]): { readonly groups: readonly Group[]; 
   return { groups, of };
 }
 
-/** Fit for a drawing: no character that turns or breaks the text, and the middle left out of a long one. */
+/** A name fit for a drawing: no character that turns or breaks the text, and a long one without its middle. */
 export function shortName(name: string): string {
   const plain = name.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}\p{Cs}]/gu, '\ufffd');
   const letters = [...plain];

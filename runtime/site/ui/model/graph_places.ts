@@ -1,5 +1,5 @@
-// Keeps a drawn graph in its place while small things change: what leaves leaves a gap and comes back there, and what is
-// new finds room near what it is connected with. When that cannot be, or much has changed, everything is laid out anew. Pure.
+// Keeps a drawn graph in its place while small things change: a box that leaves leaves a gap and comes back there, and a
+// new one finds room near its neighbours. When that cannot be, or much has changed, everything is laid out again. Pure.
 
 import { fitted } from './camera.ts';
 import { layOut } from './graph_layout.ts';
@@ -7,13 +7,13 @@ import type { Direction, Place, Point, Route, Size, Sizes } from './graph_layout
 import type { Box, Picture, Wire } from './graph_picture.ts';
 
 export interface Arrangement {
-  /** What stands where; also what has left, for when it comes back. */
+  /** The place of each box; also of boxes that have left, for when they come back. */
   readonly places: ReadonlyMap<string, Place>;
   readonly routes: ReadonlyMap<string, Route>;
   readonly groups: ReadonlyMap<string, Place>;
   readonly bounds: Place;
   readonly direction: Direction;
-  /** How often everything was laid out anew. */
+  /** How often everything was laid out again. */
   readonly version: number;
 }
 

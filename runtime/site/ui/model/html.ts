@@ -25,7 +25,7 @@ const kAsWritten: ReadonlySet<string> = new Set([
   'figcaption', 'figure', 'hr', 'i', 'img', 'ins', 'kbd', 'li', 'mark', 'meter', 'ol', 'p', 'pre', 'progress', 'q', 's', 'samp',
   'small', 'span', 'strong', 'sub', 'summary', 'sup', 'table', 'tbody', 'td', 'tfoot', 'th', 'thead', 'tr', 'u', 'ul', 'var',
 ]);
-/** An output is no part of the page's outline. */
+/** An output is not part of the page's outline. */
 const kHeadings: ReadonlySet<string> = new Set(['h1', 'h2', 'h3', 'h4', 'h5', 'h6']);
 const kBlocks: ReadonlySet<string> = new Set(['article', 'aside', 'center', 'footer', 'header', 'main', 'nav', 'section']);
 const kEmpty: ReadonlySet<string> = new Set(['br', 'col', 'hr', 'img']);
@@ -34,7 +34,7 @@ const kDropped: ReadonlySet<string> = new Set([
   'script', 'style', 'iframe', 'object', 'embed', 'template', 'noscript', 'noembed', 'noframes', 'textarea', 'select', 'title',
   'xmp', 'math', 'svg', 'video', 'audio', 'canvas', 'applet', 'frameset', 'plaintext',
 ]);
-/** What an element ends that is still open, up to what holds both. */
+/** For each element: the open elements that it closes, and the ones at which that ends, since they contain both. */
 const kEnds: Readonly<Record<string, readonly [ends: readonly string[], within: readonly string[]]>> = {
   li: [['li'], ['ul', 'ol']],
   dt: [['dt', 'dd'], ['dl']],
@@ -107,7 +107,7 @@ class Reader {
     return this.nodes > kMostNodes ? null : this.root.children;
   }
 
-  /** What begins with "<" there; returns where it ends. */
+  /** Reads the markup that begins with "<" at `at`; returns where it ends. */
   private markup(lower: string, at: number): number {
     const { text } = this;
     const after = (mark: string, from: number): number => {

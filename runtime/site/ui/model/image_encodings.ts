@@ -16,13 +16,13 @@ type Depth = 'u8' | 'u16' | 's16' | 'f32';
 export interface ColorEncoding {
   readonly kind: 'color';
   readonly depth: 'u8' | 'u16';
-  /** Of each channel, in the order of the data; empty: it has none. */
+  /** The name of each channel, in the order of the data; empty: the channel has no name. */
   readonly names: readonly string[];
   /** Which channels are red, green, blue and alpha; -1: opaque. */
   readonly order: readonly [number, number, number, number];
 }
 
-/** One number per pixel that is no brightness: a picture spreads them over a range. */
+/** One number per pixel that is a measurement, not a brightness: a picture spreads them over a range. */
 export interface MeasureEncoding {
   readonly kind: 'measure';
   readonly depth: 'u16' | 's16' | 'f32';
@@ -103,7 +103,7 @@ export function rowBytes(encoding: Encoding, width: number): number {
   }
 }
 
-/** Of a measured or coloured image: the number that stands `at` bytes from the beginning. */
+/** Reads a number of a measured or coloured image, `at` bytes from the beginning. */
 export function numberReader({ data, isBigEndian }: RawImage, depth: Depth): (at: number) => number {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   const little = !isBigEndian;
@@ -120,7 +120,7 @@ export function numberReader({ data, isBigEndian }: RawImage, depth: Depth): (at
 }
 
 /**
- * What was measured at a pixel, in the units and the order of its encoding: `R 12 G 200 B 3`, `1.25`. Empty outside.
+ * The value at a pixel, in the units and the order of its encoding: `R 12 G 200 B 3`, `1.25`. Empty outside.
  * The image is one that pixelsOf() took.
  */
 export function pixelWords(image: RawImage, x: number, y: number): string {

@@ -6,13 +6,13 @@ import type { BayerEncoding, ColorEncoding, MeasureEncoding, RawImage, YuvEncodi
 import { imageTexts } from '../texts_image.ts';
 import { numberMember } from './json.ts';
 
-/** What is black, and what is white. */
+/** The values that are drawn black and white. */
 export interface ImageRange {
   readonly least: number;
   readonly most: number;
 }
 
-/** A bound that is undefined is taken of each image anew. */
+/** An undefined bound is computed for each image. */
 export interface WantedRange {
   readonly least: number | undefined;
   readonly most: number | undefined;
@@ -22,7 +22,7 @@ export interface Pixels {
   readonly width: number;
   readonly height: number;
   readonly rgba: Uint8ClampedArray<ArrayBuffer>;
-  /** Of measured numbers: over what they are spread. */
+  /** The range over which measured numbers are spread; null for other images. */
   readonly range: ImageRange | null;
 }
 
@@ -31,7 +31,7 @@ export const kAutomatic: WantedRange = { least: undefined, most: undefined };
 const kMostPixels = 1 << 25;
 const kMostMeasured = 1e9;
 
-/** Of a panel's state. */
+/** Reads the range in a panel's state. */
 export function readRange(state: unknown): WantedRange {
   const bound = (name: string): number | undefined => {
     const value = numberMember(state, name, -kMostMeasured, kMostMeasured, Number.NaN);
@@ -158,7 +158,7 @@ function putMeasured(image: RawImage, { depth }: MeasureEncoding, wanted: Wanted
     rgba[to] = grey;
     rgba[to + 1] = grey;
     rgba[to + 2] = grey;
-    // What was not measured is seen through.
+    // A pixel without a measurement is transparent.
     rgba[to + 3] = good ? 255 : 0;
   }
   return { least, most };

@@ -28,7 +28,7 @@ const kMostJoints = 500;
 const kLargest = 1e6;
 const kDeepest = 20;
 
-/** null: it is no robot description. */
+/** null: it is not a robot description. */
 export function readJoints(text: string): readonly Joint[] | null {
   if (text.length > kMostCharacters) return null;
   const robot = readXml(text);
@@ -64,7 +64,7 @@ function jointOf(element: XmlElement): Joint | null {
   };
 }
 
-/** All joints in their order, those that mimic others where these put them. What was not set is at its zero. */
+/** The positions of all joints, in their order; joints that mimic others follow these. A joint that was not set is at its zero. */
 export function jointPositions(joints: readonly Joint[], set: ReadonlyMap<string, number>): readonly number[] {
   const known = new Map(joints.map((joint) => [joint.name, joint]));
   const at = (joint: Joint, depth: number): number => {

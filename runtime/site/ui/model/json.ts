@@ -1,4 +1,4 @@
-// Plain JSON values from outside (links, kept layouts, the author's options), taken over within bounds.
+// Plain JSON values from outside (links, stored layouts, the author's options), converted within bounds.
 
 export type Json =
   | null

@@ -7,7 +7,7 @@ import type { PointCloud, PointColors } from './point_cloud.ts';
 
 const kFarthest = 1e7;
 
-/** null: it is no scan. */
+/** null: it is not a scan. */
 export function readScan(message: unknown, by: PointColors = {}): PointCloud | null {
   const ranges = member(message, 'ranges');
   const strengths = member(message, 'intensities');

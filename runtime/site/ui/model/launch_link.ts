@@ -31,7 +31,7 @@ const truths: readonly (readonly string[])[] = [
   ['True', 'False'],
 ];
 
-/** What an argument can be chosen from; undefined: any text. */
+/** The values from which an argument can be chosen; undefined: any text. */
 export function valuesOf(argument: LaunchArgument): readonly string[] | undefined {
   const { choices, default: usual, value } = argument;
   if (choices.length > 0) return choices;

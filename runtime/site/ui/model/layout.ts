@@ -181,7 +181,7 @@ export function moveTab(layout: Layout, key: string, target: DropTarget): Layout
   return { root: withoutEmpty(added.root), front: key };
 }
 
-/** Shares the room of two neighbours anew: `first` is the part of both that the first one gets. */
+/** Divides the room of two neighbours again: `first` is the part of both that the first one gets. */
 export function resizePair(layout: Layout, split: string, index: number, first: number): Layout {
   const root = mapSplits(layout.root, (pane) => {
     const a = pane.sizes[index];

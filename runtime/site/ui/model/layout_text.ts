@@ -4,7 +4,7 @@
 //   {"tabs": [...], "front": 2}        panels behind each other, the second one in front
 //   {"row": [...], "sizes": [1, 2]}    side by side; {"column": [...]} below each other
 // and "shown": "plot-2" at the outermost says which panel a narrow screen shows.
-// What it is given may be hostile: depth, number and size are bounded, and what cannot be read is left out.
+// The input may be hostile: depth, number and size are bounded, and invalid parts are skipped.
 
 import { isRecord, member, numberMember, readJson, textMember } from './json.ts';
 import type { Json } from './json.ts';
@@ -19,7 +19,7 @@ const kMostChildren = 12;
 export interface ReadLayout {
   /** null when nothing of it can be shown. */
   readonly layout: Layout | null;
-  /** Names of what was left out, in no more than a few words each. */
+  /** Names of what was skipped, in no more than a few words each. */
   readonly leftOut: readonly string[];
 }
 

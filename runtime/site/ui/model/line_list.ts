@@ -115,7 +115,7 @@ export class LineList {
     return mayWrap(line, this.columns);
   }
 
-  /** What was really drawn for a line; returns whether that differs from what was reckoned. */
+  /** Takes the number of rows that were really drawn for a line; returns whether it differs from the estimate. */
   correct(index: number, rows: number): boolean {
     if (this.map.rowsAt(index) === rows) {
       return false;
@@ -124,7 +124,7 @@ export class LineList {
     return true;
   }
 
-  /** What is shown, as text for the clipboard. */
+  /** The lines that are shown, as text for the clipboard. */
   text(): string {
     return this.shown.map((line) => `${line.prefix}${line.plain}\n`).join('');
   }

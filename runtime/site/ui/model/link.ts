@@ -1,6 +1,6 @@
-// What a link to a view carries behind its "#": `site=HASH&layout=JSON`, and where they are not as they were made,
-// `params=JSON` and `autorun=0`. The hash is the beginning of the sha256 of site.json, which names every file of the site
-// with its own: a link tells when it was made for another site. Fields of others are kept as they are.
+// The fields of a link to a view, after its "#": `site=HASH&layout=JSON`, and where they differ from the defaults,
+// `params=JSON` and `autorun=0`. The hash is the beginning of the sha256 of site.json, which contains the hashes of all
+// files of the site: so a link made for another site can be recognised. Fields of others stay as they are.
 
 import { fetchOfSite } from '../../program/carried_files.ts';
 

@@ -1,5 +1,6 @@
-// What the Log panel knows: what nodes logged before somebody looked at /rosout, which holds the newest seconds only, read
-// off their consoles piece by piece; and what /rosout tells from then on. Holds the newest lines, appends cheaply. Pure.
+// The data of the Log panel: lines that nodes logged before somebody looked at /rosout, which stores the newest seconds only,
+// so they are read from the consoles piece by piece; and the messages of /rosout from then on. Stores the newest lines, appends
+// cheaply. Pure.
 
 import type { ConsoleLine } from '../../contract/session.ts';
 import { parseLogParts } from './log_line.ts';
@@ -12,8 +13,8 @@ export interface LogEntry {
 }
 
 /**
- * What a message of /rosout is: a new line; one that a console had too, which it completes with its place or with
- * further lines; or one older than what was read of the consoles until now, which comes with `older`.
+ * The kind of a message of /rosout: a new line; one that a console had too, which it completes with its place or with
+ * further lines; or one older than the lines read from the consoles until now, which comes with `older`.
  */
 export type Taken = 'new' | 'placed' | 'longer' | 'held';
 
@@ -22,7 +23,7 @@ const firstLine = ({ line }: LogEntry): string => line.text.split('\n', 1)[0] ??
 export class LogHistory {
   private readonly capacity: number;
   private consoles: readonly (readonly ConsoleLine[])[];
-  /** Of each console, how many lines are not read yet. */
+  /** For each console, the number of lines that are not read yet. */
   private readonly left: number[];
   private kept: LogEntry[] = [];
   /** Entries are counted; those read of the consoles later have numbers below zero. */
@@ -95,7 +96,7 @@ export class LogHistory {
     }
     if (count < lines) this.reading = false;
     found.reverse();
-    // What was told on /rosout and no console has.
+    // Messages of /rosout that no console has.
     const oldest = found[0]?.line.time ?? Infinity;
     const due = [...this.held].filter(([, { line }]) => !this.reading || line.time >= oldest);
     for (const [text, entry] of due) {

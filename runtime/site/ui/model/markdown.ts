@@ -6,7 +6,7 @@ import type { Token, TokenizerAndRendererExtension } from 'marked';
 
 export type MarkdownToken = Token;
 
-/** What is longer is shown as it is written. */
+/** A longer text is shown as its source. */
 const kMostText = 1 << 20;
 
 const kBlockMath: TokenizerAndRendererExtension = {

@@ -29,7 +29,7 @@ export function sitePathOf(name: string): string | null {
   return path === undefined ? null : normal(`share/${path}`);
 }
 
-/** What the file at `path` calls `name`. null: it is not of a site. */
+/** The path of the file that the file at `path` refers to as `name`. null: it is not a file of a site. */
 export function besidePath(path: string, name: string): string | null {
   if (name.length > kMostCharacters) return null;
   if (/^[a-z][a-z0-9+.-]+:/i.test(name) || name.startsWith('/')) return sitePathOf(name);

@@ -1,4 +1,4 @@
-// What differs between two messages of a topic. Pure.
+// The differences between two messages of a topic. Pure.
 
 import { isList, isMessage } from '../../decode/yaml.ts';
 
@@ -15,7 +15,7 @@ export function sameValue(a: unknown, b: unknown): boolean {
   return names.length === Object.keys(b).length && names.every((name) => Object.hasOwn(b, name) && sameValue(a[name], b[name]));
 }
 
-/** What stands at that place of the earlier message; undefined: nothing did. */
+/** The value at that place of the earlier message; undefined: there was none. */
 export function partOf(before: unknown, step: string | number): unknown {
   if (typeof step === 'number') return isList(before) ? before[step] : undefined;
   return isMessage(before) && Object.hasOwn(before, step) ? before[step] : undefined;

@@ -65,7 +65,7 @@ export function readNotebook(text: string): ReadNotebook {
 
 let made = 0;
 
-/** Of the cells of this page: none is given twice. */
+/** A key for a cell of this page; each is given once. */
 function newKey(): string {
   made += 1;
   return `cell-${made}`;

@@ -10,9 +10,9 @@ export type PageAction =
   | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string }
   /** Without a type: as the graph has it. */
   | { readonly kind: 'call' | 'goal'; readonly name: string; readonly type: string; readonly value: string }
-  /** Of that title; empty: all. */
+  /** The title of the checks; empty: all. */
   | { readonly kind: 'check'; readonly name: string }
-  /** Of the terminal. */
+  /** A line to type in the terminal. */
   | { readonly kind: 'run'; readonly line: string }
   | { readonly kind: 'pause' | 'resume' }
   | { readonly kind: 'step'; readonly ms: number };

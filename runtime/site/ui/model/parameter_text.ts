@@ -17,7 +17,7 @@ export type ReadParameter =
   | { readonly kind: 'value'; readonly value: ParameterValue }
   | { readonly kind: 'failed'; readonly reason: string };
 
-/** What stands in the field of a value. */
+/** The text in the field of a value. */
 export function parameterText(value: ParameterValue): string {
   const { field } = kindOf(value);
   const own = value[field];
@@ -43,7 +43,7 @@ export function needsYaml(type: number): boolean {
 }
 
 /**
- * What a text means for a parameter of `type` (rcl_interfaces/msg/ParameterType); 0: what YAML makes of it decides.
+ * Reads a text as a parameter of `type` (rcl_interfaces/msg/ParameterType); 0: the type comes from the text's YAML value.
  * `yaml` is only asked for types that need it.
  */
 export function readParameter(text: string, type: number, yaml: (text: string) => ReadValue): ReadParameter {

@@ -17,7 +17,7 @@ const kHeight = 405;
 const kBox = { left: 70, right: 16, top: 16, bottom: 46 };
 const kLegendRow = 18;
 
-/** What part is seen; null: all of the points. */
+/** The visible part of the axes; null: all of the points. */
 export interface SeenPart {
   readonly x: Extent | null;
   readonly y: Extent | null;
@@ -118,7 +118,7 @@ function fixed(value: number): string {
 }
 
 function escaped(text: string): string {
-  // Characters that XML has no place for are left out.
+  // Characters that XML has no place for are skipped.
   const plain = text.replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f]/g, '');
   return plain.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
 }

@@ -1,4 +1,4 @@
-// What part of a plot is seen, and which moment its values are told of. Pure.
+// The visible part of a plot, and the moment whose values are shown. Pure.
 
 import type { Extent } from './plot_svg.ts';
 import type { NamedSamples, Samples } from './samples.ts';

@@ -156,7 +156,7 @@ function number(view: DataView, start: number, { offset, datatype }: Field, isLi
   }
 }
 
-/** Over the colours of the rainbow, violet to red. What is no number, or all alike, is in the middle. */
+/** Colours of the rainbow, violet to red. A value that is not a number is in the middle; so are all when they are equal. */
 export function colored(values: Float32Array, by: PointColors): Float32Array {
   let [least, most] = [Infinity, -Infinity];
   for (const value of values) {

@@ -1,4 +1,4 @@
-// What a visitor chose about the page (theme, layout, views), kept by the browser where it may be.
+// The visitor's choices about the page (theme, layout, views), stored by the browser if it allows that.
 // A browser that refuses storage only forgets; nothing else depends on it.
 
 export type Theme = 'system' | 'light' | 'dark';
@@ -37,7 +37,7 @@ export function readTheme(store: Store | null, chosenByAuthor: unknown): Theme {
   return readPreference(store, 'theme', kThemes, fallback);
 }
 
-/** What was kept under that name, as it is. */
+/** The text that was stored under that name, unchecked. */
 export function readText(store: Store | null, name: string): string | null {
   return read(store, name);
 }

@@ -1,8 +1,10 @@
 // A failure in the words people read everywhere in ros2wasm: code, what, where, why, way out.
 // Turns whatever was thrown into that shape; never throws itself.
 
+import type { DiagnosticCode } from '../../contract/diagnostic_codes.ts';
+
 export interface Problem {
-  readonly code: string;
+  readonly code: DiagnosticCode;
   readonly what: string;
   readonly place: string | null;
   readonly why: readonly string[];
@@ -18,7 +20,7 @@ export function problemOf(thrown: unknown): Problem {
       name in thrown ? (thrown as Record<string, unknown>)[name] : undefined;
     const code = field('code');
     return {
-      code: typeof code === 'string' && /^R2W\d{4}$/.test(code) ? code : kUnknown,
+      code: typeof code === 'string' && /^R2W\d{4}$/.test(code) ? code as DiagnosticCode : kUnknown,
       what: textOf(field('what')) ?? textOf(field('message')) ?? String(thrown),
       place: placeOf(field('place') ?? field('source')),
       why: textsOf(field('why')),

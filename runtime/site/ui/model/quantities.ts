@@ -22,7 +22,7 @@ export function formatBytes(bytes: number): string {
   return `${unit === 0 ? String(Math.round(value)) : threeDigits(value)} ${units[unit] ?? ''}`;
 }
 
-/** `12 ms`, `1.2 s`, then as durations: how long ago something was. What is still to come is 0. */
+/** `12 ms`, `1.2 s`, then as durations: how long ago something was. A time in the future counts as 0. */
 export function formatAge(seconds: number): string {
   if (!Number.isFinite(seconds)) return '\u2013';
   const ms = Math.max(0, seconds * 1000);

@@ -27,7 +27,7 @@ export function siteReport(session: Session, userAgent: string, isolated: boolea
   ].join('\n');
 }
 
-/** What this browser changed of the packed sources: a fault may be theirs. */
+/** The packed sources that were changed in this browser: an error may come from these changes. */
 function changedSources({ sources }: Session): readonly string[] {
   const changed = (sources?.list() ?? []).filter(({ state }) => state === 'changed');
   const lines = changed.map(({ file, sha256, changedSha256 }) => `  ${file}: packed sha256 ${sha256}, here ${changedSha256 ?? ''}`);

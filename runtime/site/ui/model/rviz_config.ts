@@ -1,4 +1,4 @@
-// What an .rviz file says about a scene, as far as the page has the same: fixed frame, view, topics and how they look,
+// The settings of a scene in an .rviz file, as far as the page has the same: fixed frame, view, topics and how they look,
 // pictures, grid, names of frames, where tools publish. Loaded when such a file is opened. The file may be anything.
 
 import { parseDocument } from 'yaml';
@@ -28,7 +28,7 @@ export const kDrawn: ReadonlySet<string> = new Set([
   'AccelStamped', 'GridCells', 'LaserScan', 'Map', 'Marker', 'MarkerArray', 'Odometry', 'Path', 'PointCloud2', 'PointStamped',
   'Polygon', 'Pose', 'PoseArray', 'PoseWithCovariance', 'Range', 'RobotModel', 'TwistStamped', 'Wrench', 'WrenchStamped',
 ]);
-/** Displays whose topic is shown as a picture over the scene. What Camera draws into its picture is not. */
+/** Displays whose topic is shown as a picture over the scene. The drawings of Camera in its picture are not shown. */
 const kPictures: ReadonlySet<string> = new Set(['Image', 'Camera']);
 /** `rviz` is what ROS 1 calls it. */
 const kLibraries: ReadonlySet<string> = new Set(['rviz_default_plugins/', 'rviz/']);
@@ -123,7 +123,7 @@ function* enabled(list: unknown, depth: number): Iterable<Display> {
   }
 }
 
-/** Of ROS 2 a mapping, of ROS 1 the name itself. */
+/** A topic is a mapping in files of ROS 2, and the name itself in those of ROS 1. */
 function topicOf(value: unknown): string {
   const name = typeof value === 'string' ? value : textMember(value, 'Value');
   return name === '' || name.startsWith('/') ? name : `/${name}`;

@@ -1,6 +1,6 @@
 // Numbers over time, the newest so many of them; what a plot draws and writes to files. Times are seconds. Pure.
 
-/** Seconds. Messages of several publishers come a little out of order; a clock that begins anew goes back further. */
+/** Seconds. Messages of several publishers come a little out of order; a clock that restarts goes back further. */
 export const kApart = 1;
 
 export class Samples {
@@ -20,7 +20,7 @@ export class Samples {
     return this.count;
   }
 
-  /** When time goes back by more than that (a restart of the site's clock) all begins anew. */
+  /** When time goes back by more than kApart (a restart of the site's clock), all earlier samples are dropped. */
   add(published: number, value: number): void {
     const last = this.count > 0 ? this.time(this.count - 1) : published;
     if (last - published > kApart) this.clear();

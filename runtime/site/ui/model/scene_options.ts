@@ -1,4 +1,4 @@
-// What a scene's panel keeps: fixed frame, view, what is shown and how, where its tools publish. It comes from links too.
+// The state of a scene's panel: fixed frame, view, the topics and their looks, the topics of its tools. It comes from links too.
 
 import { readView, writeView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';

@@ -1,5 +1,5 @@
-// What a signature beside a site says of itself (site.json.minisig, in minisign's format). Pure. Nothing of it is checked
-// here: a page that somebody changed could say what it likes, so `ros2wasm verify --key` or minisign is asked, elsewhere.
+// The claims of a signature beside a site (site.json.minisig, in minisign's format). Pure. Nothing is verified
+// here: a page that somebody changed could show anything, so the visitor runs `ros2wasm verify --key` or minisign elsewhere.
 
 export interface ClaimedSignature {
   /** As minisign writes it: hex, without zeros before it. */

@@ -1,4 +1,4 @@
-// What the Tab key makes of a line in the terminal, and the lines that were typed before. Pure.
+// Completes a line in the terminal at the Tab key, and reads the lines that were typed before. Pure.
 
 import { textsMember } from './json.ts';
 
@@ -34,7 +34,7 @@ export function expandTabs(text: string): string {
   return out;
 }
 
-/** What was typed before, as the browser kept it: the newest lines, and nothing else whatever is in there. */
+/** Reads the lines typed before from the browser's storage: the newest ones; invalid contents give no lines. */
 export function readHistory(kept: string | null, most: number): string[] {
   if (kept === null) return [];
   try {

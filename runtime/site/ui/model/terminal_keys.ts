@@ -1,4 +1,4 @@
-// What a terminal sends for the keys that are no text. Pure.
+// The bytes that a terminal sends for keys without text. Pure.
 
 export interface Key {
   readonly key: string;

@@ -1,4 +1,4 @@
-// Who takes part in a topic with which QoS, and which pairs get nothing of each other for it. Pure.
+// The participants of a topic with their QoS, and the pairs whose QoS do not match. Pure.
 
 import type { EndpointQosView, GraphView } from '../../contract/session.ts';
 import { misfitPolicy } from '../../contract/qos_view.ts';

@@ -28,7 +28,7 @@ export function inverse({ translation, rotation }: Transform): Transform {
   return { translation: [-x, -y, -z], rotation: back };
 }
 
-/** Of two unit quaternions; a unit one again, so that long chains do not grow. */
+/** The product of two unit quaternions; normalised again, so that long chains do not grow. */
 export function multiply(a: Quaternion, b: Quaternion): Quaternion {
   const [ax, ay, az, aw] = a;
   const [bx, by, bz, bw] = b;

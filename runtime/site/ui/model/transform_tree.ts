@@ -132,7 +132,7 @@ export class TransformTree {
     return views.sort((a, b) => (a.name < b.name ? -1 : 1));
   }
 
-  /** Frames that nobody places, sorted: one for each tree that is no loop. */
+  /** Frames that nobody places, sorted: one for each tree that is not a loop. */
   roots(): readonly string[] {
     return [...this.parents.keys()].filter((name) => !this.frames.has(name)).sort();
   }

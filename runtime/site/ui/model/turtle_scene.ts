@@ -1,5 +1,5 @@
-// What a turtle simulator shows (turtlesim_scene/msg/Scene), and how its drawing is put together from scenes that may
-// begin in its middle. Whoever publishes may be hostile: numbers and sizes are bounded. Pure.
+// The contents of a turtle simulator (turtlesim_scene/msg/Scene), and the drawing that is built from scenes, which may
+// begin in its middle. Publishers may be hostile: numbers and sizes are bounded. Pure.
 
 import { isList } from '../../decode/yaml.ts';
 import { asNumber } from './field_path.ts';
@@ -27,7 +27,7 @@ export interface Stroke {
 }
 
 export interface Scene {
-  /** Of the sheet, in pixels. */
+  /** The width of the sheet, in pixels. */
   readonly width: number;
   readonly height: number;
   /** Pixels per unit. */
@@ -54,7 +54,7 @@ export interface Picture {
 
 const kMostPixels = 2000;
 const kMostTurtles = 500;
-/** Of one scene, and of those that wait for the picture: the newest. The picture has the others. */
+/** Upper bound for one scene, and for those that wait for the picture: the newest ones stay. The picture has the others. */
 const kMostStrokes = 10_000;
 const kFar = 1e5;
 
@@ -99,7 +99,7 @@ export function readPicture(value: unknown): Picture | null {
   return { picture: asNumber(value['picture']), strokes: asNumber(value['strokes']), width, height, rgba };
 }
 
-/** What a scene brings to the sheet that is seen. */
+/** The changes that a scene makes to the visible sheet. */
 export interface SheetChange {
   /** Begins with an empty one. */
   readonly cleared: boolean;
@@ -114,7 +114,7 @@ export class Sheet {
   private picture = Number.NaN;
   /** How many strokes of the sheet are known: all before this one, unless some are missing. */
   private end = 0;
-  /** Of the scenes since strokes were missed, those with strokes. */
+  /** The scenes with strokes that came since strokes were missed. */
   private late: Scene[] = [];
   private missing = false;
   private asked = false;
@@ -137,7 +137,7 @@ export class Sheet {
     return { cleared, strokes, ask };
   }
 
-  /** What has been drawn since the picture was made; null when it is not of this sheet. */
+  /** The strokes that were drawn since the picture was made; null when it is not of this sheet. */
   takePicture(picture: Picture): readonly Stroke[] | null {
     this.asked = false;
     if (!this.missing || picture.picture !== this.picture) return null;

@@ -69,7 +69,7 @@ export interface PadState {
   readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
-/** Of a gamepad with the standard layout: the left stick, turning by the right one too, and the cross. */
+/** Reads a gamepad with the standard layout: the left stick, the right one for turning too, and the cross. */
 export function padStick({ axes, buttons }: PadState): Stick {
   const axis = (index: number): number => {
     const value = axes[index] ?? 0;

@@ -25,7 +25,7 @@ export interface Visual {
 export interface RobotLink {
   readonly name: string;
   readonly visuals: readonly Visual[];
-  /** What stands for the link when collisions are looked for. Without colours. */
+  /** The shapes for the detection of collisions. Without colours. */
   readonly collisions: readonly Visual[];
 }
 

@@ -1,5 +1,5 @@
 // Elements and attributes of a small XML text, without the browser's parser: that is a door which Trusted Types close.
-// Words between elements are left out; a text with a document type of its own (entities) is refused. Pure.
+// Words between elements are skipped; a text with a document type of its own (entities) is refused. Pure.
 
 export interface XmlElement {
   /** Without its prefix. */
@@ -16,7 +16,7 @@ interface Open {
   readonly element: XmlElement & { readonly children: XmlElement[] };
 }
 
-/** The root; null: it is no XML, or too large. */
+/** The root; null: it is not an XML, or too large. */
 export function readXml(text: string): XmlElement | null {
   const open: Open[] = [];
   let root: XmlElement | null = null;

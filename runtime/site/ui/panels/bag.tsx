@@ -21,7 +21,7 @@ import type { PanelProps } from './panel_props.ts';
 const kMostChosen = 200;
 
 export interface BagState {
-  /** Of a bag of the site. */
+  /** The file of a bag of the site. */
   readonly file: string;
   readonly play: boolean;
   readonly loop: boolean;

@@ -1,4 +1,4 @@
-// What the author says must be seen: a list that is decided as it is seen, and told once. Nothing is looked at here.
+// The author's checks: a list that changes as they are decided, and is announced once. They are evaluated elsewhere.
 
 import { useEffect, useState } from 'preact/hooks';
 import type { CheckView } from '../../contract/session.ts';

@@ -46,7 +46,7 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
       setProblem(decoded.kind === 'value' ? '' : texts.topics.undecodable(decoded.reason));
     });
   }, [session, codec, board]);
-  // What is silent grows stale.
+  // A silent part becomes stale with time.
   useEvery(kRedrawMs, redraw);
 
   const now = session.time.view().now / 1000;

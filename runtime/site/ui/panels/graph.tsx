@@ -59,7 +59,7 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
       setSelected(id);
       return;
     }
-    // What is chosen already opens.
+    // A click on the selected item opens it.
     const name = id.slice(id.indexOf(' ') + 1);
     if (id.startsWith('topic ')) showTopic(name);
     else if (id.startsWith('action ') || id.startsWith('service ')) open('services');
@@ -215,7 +215,7 @@ function useArrangement(
 ): { readonly arrangement: Arrangement; readonly layOutAgain: () => void } {
   const kept = useRef<Kept | null>(null);
   const [, redraw] = useState(0);
-  // What the visitor asked to see otherwise may stand otherwise.
+  // The layout may change when the visitor changes one of these settings.
   const of = JSON.stringify([mode, services, hidden, groups, text, room === null]);
   const view = { width: room?.clientWidth ?? 0, height: room?.clientHeight ?? 0 };
   const make = (sizes: Sizes): Arrangement => {

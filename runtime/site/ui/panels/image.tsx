@@ -39,7 +39,7 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
   const [problem, setProblem] = useState('');
   const [size, setSize] = useState<Size | null>(null);
   const [spread, setSpread] = useState<ImageRange | null>(null);
-  // What stands at a pixel changes with each image.
+  // The value at a pixel changes with each image.
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
 
   useEffect(() => {
@@ -114,7 +114,7 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
 
 interface RangeRowProps {
   readonly wanted: WantedRange;
-  /** What is drawn with. */
+  /** The range with which the image is drawn. */
   readonly range: ImageRange;
   readonly change: (next: Partial<WantedRange>) => void;
 }
@@ -153,7 +153,7 @@ function RangeRow({ wanted, range, change }: RangeRowProps) {
   );
 }
 
-/** Of a picture that came compressed: its colours as the browser has read them. */
+/** The value at a pixel of a compressed picture: its colours as the browser has decoded them. */
 function drawnWords(canvas: HTMLCanvasElement | null, x: number, y: number): string {
   if (canvas === null || !(x >= 0 && y >= 0 && x < canvas.width && y < canvas.height)) return '';
   // A canvas that is read stays out of the graphics card: not the one that is drawn for each message.

@@ -253,7 +253,7 @@ export const panels: readonly PanelRow[] = [
   },
 ];
 
-/** What the "+" menu of a site offers, group by group. */
+/** The panels in the "+" menu of a site, group by group. */
 export function offeredPanels(site: SiteDescription): readonly PanelRow[] {
   return kGroups.flatMap((group) => panels.filter((row) => row.group === group && row.fits?.(site) !== false));
 }
@@ -292,7 +292,7 @@ function nameOf(pane: Pane): string {
   return typeof pane === 'string' ? pane : (Object.keys(pane)[0] ?? '');
 }
 
-/** What does the work of programs of the launch file that are left out, such as rviz2. */
+/** The panels that replace programs of the launch file that are skipped, such as rviz2. */
 function opened(site: SiteDescription): readonly Pane[] {
   const { opens } = site.ui;
   if (!Array.isArray(opens)) return [];

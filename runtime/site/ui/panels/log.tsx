@@ -1,4 +1,4 @@
-// What all nodes log, from /rosout: by level, node and text, in the format of the consoles, with the place in the source
+// The log of all nodes, from /rosout: by level, node and text, in the format of the consoles, with the place in the source
 // on request. State: {level, node, text, places}, the last one 'shown' or empty.
 
 import { useContext, useEffect, useMemo, useReducer, useRef } from 'preact/hooks';
@@ -136,7 +136,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
     changed();
   };
   const offered = [...new Set([...names.current, ...(node === '' ? [] : [node])])].toSorted();
-  // Of the chosen node, or of all where that one has said nothing.
+  // The number of lines of the chosen node, or of all nodes where that one has logged nothing.
   const count = list.allCount > 0 ? list.allCount : history.current.count;
   const empty = count > 0 ? texts.console.emptyFiltered(formatCount(count)) : panelTexts.log.empty;
   return (

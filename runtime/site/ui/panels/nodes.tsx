@@ -49,7 +49,7 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
   );
 }
 
-/** Of few sites, so that the form is no part of the first view. */
+/** Few sites have a launch form, so it is loaded later and is not part of the first view. */
 function LaunchBox({ launch }: { readonly launch: LaunchView }) {
   const [Form, setForm] = useState<ComponentType<{ launch: LaunchView }> | null>(null);
   useEffect(() => {
@@ -86,7 +86,7 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
       : null;
   const links = useContext(SourceLinksContext);
   const filesOf = (paths: readonly string[] = []): string[] => paths.flatMap((path) => links?.fileOf(path) ?? []);
-  // What stands for a package is not what people want to see.
+  // The file of a package as a whole is not the one that people want to see.
   const main = filesOf(node.usedSources).find((file) => !file.endsWith('/__init__.py'));
   const changed = filesOf(node.changedSources);
   return (

@@ -1,4 +1,4 @@
-// What a panel is given, and what makes one: a panel is one file here and one row in index.ts.
+// The properties that a panel gets, and the parts of a panel: it is one file here and one row in index.ts.
 
 import type { ComponentType } from 'preact';
 import type { Session, SiteDescription } from '../../contract/session.ts';
@@ -21,7 +21,7 @@ export interface PanelProps {
   /** Names this open panel among all: a panel may be open more than once. Fit for the id of an element. */
   readonly instance: string;
   /**
-   * What the panel wants to be as it was when the page or a link is opened again: small (below 8 KiB as JSON), null
+   * The state that the panel needs to look the same when the page or a link is opened again: small (below 8 KiB as JSON), null
    * at first. It comes from links too, so read it as hostile: the readers in model/json.ts help.
    */
   readonly state: Json;

@@ -223,7 +223,7 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
   );
 }
 
-/** Of the newest sample, or of the one that holds at that moment. */
+/** The words for the newest sample, or for the one that holds at that moment. */
 function wordsOf(track: Track | undefined, moment: number | null): string {
   if (track === undefined) return '';
   if (track.problem !== '') return track.problem;

@@ -32,7 +32,7 @@ import { panelTexts } from '../texts_panels.ts';
 import { sceneTexts } from '../texts_scene.ts';
 import type { PanelProps } from './panel_props.ts';
 
-/** Of those that nobody chose. */
+/** Upper bound of the topics that are shown though nobody chose them. */
 const kMostUnasked = 20;
 const kMostOffers = 1000;
 const kMostFiles = 20;
@@ -80,7 +80,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     }
   };
 
-  // What the panel is to show at first, by a file of the site: from then on it is as its visitor wants it.
+  // The file of the site that the panel shows at first: from then on the visitor's changes count.
   const asked = textMember(state, 'file');
   useEffect(() => {
     if (asked !== '' && files.includes(asked)) void showAs(readSiteText(asked).then((text) => ({ name: nameOf(asked), text })));
@@ -240,7 +240,7 @@ function nameOf(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1);
 }
 
-/** Of a point cloud: by what its points can be coloured. */
+/** The fields of a point cloud by which its points can be coloured. */
 function fieldsOf(message: unknown): readonly string[] {
   const fields = member(message, 'fields');
   if (!Array.isArray(fields)) return [];

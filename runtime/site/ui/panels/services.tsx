@@ -33,7 +33,7 @@ export function ServicesPanel({ session, announce, state }: PanelProps) {
   const request = textMember(state, 'request');
   const there = endpointsToCall(graph, all || asked !== '');
   const keys = new Set(there.map(keyOf));
-  // What was opened stays, with what it shows.
+  // An opened row stays with its contents, even after its service has gone.
   const rows = [...there, ...[...opened.values()].filter((each) => !keys.has(keyOf(each)))]
     .filter(({ name, type }) => `${name} ${type}`.toLowerCase().includes(text.toLowerCase()))
     .sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
@@ -176,7 +176,7 @@ function CallView(props: ViewProps) {
     if (calling) return;
     call()
       .catch((error: unknown) => {
-        // What one asked for is no problem.
+        // The visitor's own cancellation is not a problem.
         if (abort.current?.signal.aborted !== true) setProblem(problemOf(error).what);
       })
       .finally(() => setCalling(false));

@@ -82,7 +82,7 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
     setSaid(words);
     announce(words);
   };
-  /** What is typed is not kept yet, or is refused. */
+  /** The typed text is not stored yet, or was refused. */
   const [unkept, setUnkept] = useState(false);
   const restart = (): void => {
     for (const node of users) session.restart(node.id);
@@ -358,7 +358,7 @@ interface SourceRunProps {
   readonly goTo: (line: number) => void;
 }
 
-/** What the nodes that use the file have printed last, and the errors that lead into it. */
+/** The last output of the nodes that use the file, and the errors that lead into it. */
 function SourceRun({ outputs, troubles, goTo }: SourceRunProps) {
   const printed = outputs.filter(({ lines }) => lines.length > 0);
   if (printed.length === 0) return null;

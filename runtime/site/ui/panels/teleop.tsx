@@ -36,7 +36,7 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
   const rate = numberMember(state, 'rate', kLeastRate, kMostRate, 10);
   const usesPad = flagMember(state, 'gamepad', true);
   const [problem, setProblem] = useState('');
-  /** What is being typed as topic, which it is not yet. */
+  /** The text that is being typed as topic, but is not the topic yet. */
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const [shown, setShown] = useState<Stick>(kRest);
   const sender = useRef<TwistSender | null>(null);
@@ -243,7 +243,7 @@ interface NumberFieldProps {
   readonly onNumber: (value: number) => void;
 }
 
-/** Keeps what is typed while it is no number that is allowed. */
+/** Keeps what is typed while it is not a number that is allowed. */
 function NumberField({ label, value, least, most, onNumber }: NumberFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   return (

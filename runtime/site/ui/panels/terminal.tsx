@@ -5,7 +5,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { wanted } from '../../ros2cli/complete.ts';
 import { programsOf } from '../../ros2cli/programs.ts';
-import { tellWanted } from '../../ros2cli/told.ts';
+import { tellWanted } from '../../ros2cli/completion_sources.ts';
 import type { ConsoleLine, KeyMode, Session } from '../../contract/session.ts';
 import { textMember } from '../model/json.ts';
 import { readText as keptText, writePreference } from '../model/preferences.ts';
@@ -24,7 +24,7 @@ import type { PanelProps } from './panel_props.ts';
 
 const kMostLines = 20_000;
 const kMostHistory = 200;
-/** What a flood may leave undrawn; the oldest of it is left out. */
+/** Upper bound of the lines that wait to be drawn; the oldest of them are dropped. */
 const kMostWaiting = 5000;
 
 /** The lines of one terminal, drawn once per animation frame. */
@@ -78,7 +78,7 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
   }, [brought]);
   const [running, setRunning] = useState<AbortController | null>(null);
   const current = useRef<AbortController | null>(null);
-  // Of this site: others may be at the same host.
+  // The name has the path of this site: other sites may be on the same host.
   const historyName = `terminal.${new URL('.', document.baseURI).pathname}`;
   const history = useRef<{ readonly lines: string[]; at: number } | null>(null);
   if (history.current === null) {
@@ -87,7 +87,7 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
   }
   const interfaces = useRef<readonly string[]>([]);
   const input = useRef<HTMLInputElement>(null);
-  /** Of the command that runs, when it reads what is typed. */
+  /** The function of the running command that takes typed text, when it reads any. */
   const taker = useRef<((text: string) => void) | undefined>(undefined);
   const [taking, setTaking] = useState(false);
   /** The command reads each key at once. */

@@ -80,8 +80,8 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
   }, [session, ready, node]);
   useEffect(() => sheet.current?.mark(turtle), [turtle, node, ready]);
 
-  // Keys that nobody else is there for drive, too: whoever opens the page can begin at once. Heard from the moment on in
-  // which the words beside the pad say so.
+  // Keys that no other element takes drive the turtle, too, so that a visitor can begin at once. The listener is there from the
+  // moment on in which the words beside the pad say so.
   useLayoutEffect(() => {
     const press = (event: KeyboardEvent): void => {
       const at = document.activeElement;
@@ -182,7 +182,7 @@ function Choice({ label, value, values, onChange }: ChoiceProps) {
   );
 }
 
-/** What the drawing is called: where its turtles are. */
+/** The label of the drawing: it has the places of its turtles. */
 class Words {
   private readonly element: HTMLElement | null;
   private timer: ReturnType<typeof setTimeout> | undefined;

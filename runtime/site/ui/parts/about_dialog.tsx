@@ -1,4 +1,4 @@
-// What this page is, in a dialog: the workspace's data, the link between its nodes in plain words, and
+// The dialog about this page: the workspace's data, the link between its nodes in plain words, and
 // a report for bug reports.
 
 import { useEffect, useRef, useState } from 'preact/hooks';

@@ -21,7 +21,7 @@ export interface ShelfBag {
   readonly content: () => Promise<Blob>;
 }
 
-/** What a node has written besides bags: the newest of its path. */
+/** A file other than a bag that a node has written: the newest one of its path. */
 export interface NodeFile {
   readonly node: string;
   readonly path: string;
@@ -61,7 +61,7 @@ export class BagDesk {
   private sink: BlobSink | undefined;
   private starting = false;
   private left = false;
-  /** What is on the player, or comes. */
+  /** The bag in the player, or the one that is being opened for it. */
   loaded: ShelfBag | undefined;
   player: BagPlayer | undefined;
   problem: Problem | undefined;
@@ -195,7 +195,7 @@ export class BagDesk {
     return this.player;
   }
 
-  /** What it has; the site knows its types then. */
+  /** Opens a bag; the session knows its types afterwards. */
   async open(bag: ShelfBag): Promise<Bag> {
     const opened = await openBag(blobSource(bag.name, await bag.content()));
     await this.session.learn(opened.definitions);

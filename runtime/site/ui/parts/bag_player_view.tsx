@@ -1,4 +1,4 @@
-// What is on the player: its place, speed, loop, and which topics are published under which names.
+// The controls of the player: its place, speed, loop, and the published topics with their names.
 
 import { useEffect, useState } from 'preact/hooks';
 import type { BagPlayer } from '../../bag/player.ts';

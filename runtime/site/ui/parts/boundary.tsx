@@ -2,7 +2,7 @@
 
 import { Component } from 'preact';
 import type { ComponentChildren } from 'preact';
-import { problemOf } from '../model/problem.ts';
+import { problemOf, type Problem } from '../model/problem.ts';
 import { texts } from '../texts.ts';
 import { ProblemView } from './problem_view.tsx';
 
@@ -30,7 +30,7 @@ export class Boundary extends Component<BoundaryProps, BoundaryState> {
   override render({ title, announce, children }: BoundaryProps, { failed, thrown }: BoundaryState) {
     if (!failed) return children;
     const known = problemOf(thrown);
-    const problem = {
+    const problem: Problem = {
       ...known,
       code: 'R2W0790',
       what: `${texts.problem.panelTitle(title)}: ${known.what}`,

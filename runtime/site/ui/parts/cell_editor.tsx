@@ -43,8 +43,8 @@ export function CellEditor(props: CellEditorProps) {
     };
   }, [python, label]);
 
-  // What comes from elsewhere: the packed notebook again. Right after drawing, when `source` is what the store has now:
-  // later, what was typed meanwhile would be taken for older, and put back.
+  // A change from elsewhere: the packed notebook again. Right after drawing, when `source` is the text that the store has now:
+  // later, text that was typed in the meantime would be taken for older, and replaced.
   useLayoutEffect(() => {
     const open = view.current;
     if (open !== null && open.state.sliceDoc() !== source)

@@ -20,7 +20,7 @@ export interface CellProps {
   readonly number: number;
   readonly place: 'only' | 'first' | 'middle' | 'last';
   readonly state: 'rest' | 'queued' | 'running';
-  /** What it asks for on its standard input. */
+  /** The prompt of the cell that waits for standard input; null: it does not wait. */
   readonly asks: string | null;
   readonly current: boolean;
   /** It is to get the keyboard. */

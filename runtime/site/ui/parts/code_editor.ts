@@ -101,7 +101,7 @@ const typedOver = EditorView.domEventHandlers({
   },
 });
 
-/** What all files have alike; a text keeps its ends of lines. */
+/** The extensions that all files share; a text keeps its line ends. */
 function extensions(events: CodeEditorEvents, text: string): Extension {
   const allCrLf = text.includes('\r\n') && !/[^\r]\n|^\n/.test(text);
   return [

@@ -1,5 +1,5 @@
-// What a hand can hold to drive: a round pad for a finger, the mouse and keys, and a button for each direction. Only
-// what is held is told, by its source.
+// The controls to drive by hand: a round pad for a finger, the mouse and keys, and a button for each direction. They only
+// report the direction that is held, with its source.
 
 import { useRef } from 'preact/hooks';
 import type { Session } from '../../contract/session.ts';

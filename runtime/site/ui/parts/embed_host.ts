@@ -1,6 +1,7 @@
 // Answers the page that shows this one in a frame (docs/page.md): reads what it asks for by postMessage, does it with the
 // session, and tells what happens. It acts only for origins that the manifest lists, and runs no text as code.
 
+import type { DiagnosticCode } from '../../contract/diagnostic_codes.ts';
 import type { PagePublisher, Session, Unsubscribe } from '../../contract/session.ts';
 import { onto, refusal, stampOf, withNow } from '../model/draft_value.ts';
 import { Allowance, isReading, kEmbedVersion, mayAct, readRequest, Refusal } from '../model/embed_request.ts';
@@ -41,7 +42,7 @@ export function hostEmbedding(session: Session, store: Store | null): Unsubscrib
 }
 
 /** The session could not begin: there is nobody to ask. */
-export function tellFailure(code: string, message: string): void {
+export function tellFailure(code: DiagnosticCode, message: string): void {
   tellParent({ event: 'failed', error: { code, message } }, '*');
 }
 
@@ -79,7 +80,7 @@ class EmbedHost {
       tellParent({ id, ok: false, error: { code, message: what, why, fix } }, to);
     };
     if (!this.orders.take(now)) {
-      // Whoever floods hears of it, but not each time.
+      // Rate-limit the "too many requests" replies as well.
       if (this.refusals.take(now)) fail(tooMany(words.tooOften(kOrders[1])));
       return;
     }
@@ -185,7 +186,7 @@ class EmbedHost {
     return null;
   }
 
-  /** Times may be `now`; what is left out is as the definition has it. */
+  /** Times may be `now`; what is skipped is as the definition has it. */
   private async encoded(type: string, value: Json): Promise<Uint8Array> {
     const codec = await codecOf(this.session);
     const parsed = codec.types.get(type);
@@ -243,7 +244,7 @@ class EmbedHost {
     let timer: ReturnType<typeof setTimeout> | undefined;
     this.subscriptions.set(number, () => clearTimeout(timer));
     const codec = await codecOf(this.session).catch((error: unknown) => {
-      // Whoever asked has no number to end it with.
+      // The requester has not received a number with which to end it.
       this.subscriptions.delete(number);
       throw error;
     });
@@ -333,7 +334,7 @@ class EmbedHost {
 /** rcl_interfaces/msg/ParameterType.PARAMETER_DOUBLE */
 const kDouble = 3;
 
-/** Of the frame, px: no panel scrolls then. What scrolls inside of one, as a console does, may go on. */
+/** The height of the frame, in px, with which no panel scrolls. Parts inside of a panel, such as a console, may still scroll. */
 function wantedHeight(): number {
   const hidden = Array.from(document.querySelectorAll('.panel-body, .panel-body > *'), (body) => body.scrollHeight - body.clientHeight);
   return Math.min(kMostHeight, innerHeight + Math.max(0, ...hidden));

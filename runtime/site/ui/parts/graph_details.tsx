@@ -1,4 +1,4 @@
-// What is known of the node, topic, action or service that was chosen in the graph, and the doors to the panels that show more.
+// Details of the node, topic, action or service that is selected in the graph, and links to the panels that show more.
 
 import type { GraphEndpointView, GraphNodeView, GraphView, Session, TopicView } from '../../contract/session.ts';
 import { isHiddenName } from '../../decode/ros_names.ts';
@@ -124,7 +124,7 @@ function TopicDetails({ name, ends, graph, topics, hidden, onSelect, showTopic }
 const kOfAction = { servers: viewTexts.graph.actionServers, clients: viewTexts.graph.actionClients };
 const kOfService = { servers: viewTexts.graph.serviceServers, clients: viewTexts.graph.serviceClients };
 
-/** Of an action or a service. */
+/** Details of an action or a service. */
 function CallDetails({
   name,
   ends,
@@ -157,7 +157,7 @@ function nodeEntries(graph: GraphView, hidden: boolean): (ids: ReadonlySet<strin
 interface Entry {
   readonly name: string;
   readonly note: string;
-  /** What a click chooses. */
+  /** The id that a click selects; null: a click does nothing. */
   readonly id: string | null;
 }
 

@@ -22,7 +22,7 @@ export interface GraphDrawingProps {
   readonly picture: Picture;
   readonly arrangement: Arrangement;
   readonly label: string;
-  /** Of a topic, `10.0 Hz`; empty when nothing comes. */
+  /** The rate of a topic, `10.0 Hz`; empty when no messages come. */
   readonly rateOf: (topic: string) => string;
   readonly selected: string | null;
   readonly onSelect: (id: string) => void;
@@ -59,7 +59,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
   const [current, setCurrent] = useState<string | null>(null);
   const moveFocus = useRef(false);
   const { fit } = control;
-  // What is laid out anew is shown whole.
+  // A graph that was laid out again is shown whole.
   useEffect(() => fit(), [version]);
 
   const items: readonly Item[] = readingOrder(
@@ -255,7 +255,7 @@ interface WireLineProps {
 }
 
 function WireLine({ wire, points, rateOf, lit }: WireLineProps) {
-  // The same for as long as it stands there, however often the rates change.
+  // The same for as long as shown there, however often the rates change.
   const [line, arrow] = useMemo(() => [pathOf(points), arrowOf(points)] as const, [points]);
   const rate = wire.rateOf === null ? '' : rateOf(wire.rateOf);
   const flows = wire.kind === 'topic' && wire.names.some((name) => rateOf(name) !== '');

@@ -6,7 +6,7 @@ import { Icon } from './icon.tsx';
 import { Name } from './name.tsx';
 
 export interface GraphRowProps {
-  /** Of what is inside, in the page. */
+  /** The id of the element with the row's contents, unique in the page. */
   readonly id: string;
   readonly name: string;
   readonly type: string;

@@ -31,7 +31,7 @@ export function keyFieldProps({ mode, send, interrupt }: KeyTaker): FieldProps {
     onKeyDown: (event) => {
       if (event.isComposing) return;
       const text = keyText(event);
-      // What is selected elsewhere is to be copied.
+      // With a selection elsewhere, Ctrl-C copies it.
       const copies = text === '\u0003' && document.getSelection()?.isCollapsed === false;
       if (text === undefined || copies) return;
       event.preventDefault();

@@ -1,4 +1,4 @@
-// The launch arguments of the site as a form. Applying them opens the page anew, so that the link says what runs.
+// The launch arguments of the site as a form. Applying them opens the page again, so that the link has the new values.
 
 import { useState } from 'preact/hooks';
 import type { LaunchArgument, LaunchView } from '../../contract/session.ts';

@@ -26,7 +26,7 @@ export interface ManagedNode {
   readonly transitions: readonly State[];
   /** The one that is asked for, until it is answered. */
   readonly asked: State | null;
-  /** What came of the last one. */
+  /** The result of the last transition. */
   readonly answer: string;
   /** Why the last one was not made; empty: it was. */
   readonly problem: string;
@@ -36,7 +36,7 @@ export interface ManagedNode {
 
 interface Entry {
   view: ManagedNode;
-  /** Of the service that tells its state; another one is another node of that name. */
+  /** The gid of the service that reports its state; another gid means another node of that name. */
   gid: string;
   /** Reads that began later have a larger one. */
   turn: number;
@@ -63,7 +63,7 @@ export class LifecycleStore {
     this.follow(session.graph());
   }
 
-  /** Sorted by name; hidden ones are left out. */
+  /** Sorted by name; hidden ones are skipped. */
   nodes(): readonly ManagedNode[] {
     return [...this.entries.values()]
       .map(({ view }) => view)
@@ -76,7 +76,7 @@ export class LifecycleStore {
     const entry = this.entries.get(name);
     if (entry === undefined || !entry.view.here || entry.view.asked !== null) return '';
     const { abort } = entry;
-    // What is being read is then of the past.
+    // A read that is under way would give an old state: it is dropped.
     entry.turn += 1;
     entry.again?.close();
     this.show(entry, { asked: transition, answer: '', problem: '' });

@@ -25,7 +25,7 @@ export interface LinkedParameter {
   readonly text: string;
 }
 
-/** What cannot be read is left out. */
+/** Invalid entries are skipped. */
 export function readLinkedParameters(text: string): readonly LinkedParameter[] {
   let nodes: unknown;
   try {

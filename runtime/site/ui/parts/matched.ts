@@ -1,4 +1,4 @@
-// What is published before a subscription has found its publisher reaches nobody.
+// A message that is published before a subscription has found its publisher reaches nobody.
 
 import type { PagePublisher } from '../../contract/session.ts';
 

@@ -47,7 +47,7 @@ export interface FeedMessage {
   readonly type: string;
   /** ms since 1970, by the site's time. */
   readonly publishedAt: number;
-  /** Of the publisher; 32 hexadecimal digits. */
+  /** The publisher's gid; 32 hexadecimal digits. */
   readonly gid: string;
 }
 

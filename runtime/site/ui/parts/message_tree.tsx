@@ -14,13 +14,13 @@ const kTextLength = 2000;
 /** Lists up to this length, and messages up to this depth, are open at first. */
 const kOpenLength = 12;
 const kOpenDepth = 3;
-/** Of a value that was, beside the one that is. */
+/** Upper bound of the length of an earlier value beside the present one. */
 const kWasLength = 80;
 
-/** What it is compared with, and how that is said. */
+/** The message with which the tree is compared, and the words for differences. */
 export interface TreeChange {
   readonly before: unknown;
-  /** What is the same is left out. */
+  /** True: equal values are not shown. */
   readonly only: boolean;
   readonly was: (text: string) => string;
   readonly changed: string;
@@ -42,7 +42,7 @@ export interface MessageTreeProps {
   readonly choice?: TreeChoice | undefined;
 }
 
-/** What all parts of one tree share. */
+/** The properties that all parts of one tree share. */
 interface Context {
   readonly change: TreeChange | undefined;
   readonly choice: TreeChoice | undefined;
@@ -53,7 +53,7 @@ export function MessageTree({ label, value, shape, change, choice }: MessageTree
     <div class="tree" role="group" aria-label={label} tabIndex={0} onKeyDown={choice === undefined ? undefined : moveFocus}>
       {isMessage(value) ? (
         <Fields
-          // What was opened and closed is of one view.
+          // Each view has its own opened and closed parts.
           key={change?.only === true ? 'changed' : 'all'}
           message={value}
           shape={shape}
@@ -85,7 +85,7 @@ function moveFocus(event: KeyboardEvent): void {
 interface Place {
   readonly depth: number;
   readonly path: string;
-  /** What stood there in the earlier message. */
+  /** The value at this place in the earlier message. */
   readonly before: unknown;
   readonly context: Context;
 }

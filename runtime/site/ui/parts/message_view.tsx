@@ -12,7 +12,7 @@ export interface MessageViewProps {
   /** Beside the title: when it came, how large it is. */
   readonly facts?: string;
   readonly message: Extract<Decoded, { readonly kind: 'value' }>;
-  /** Of the tree and of the button, in words. */
+  /** The label of the tree and of the button. */
   readonly label: string;
   readonly copyLabel: string;
   readonly announce: (text: string) => void;

@@ -7,7 +7,7 @@ import { kMostCells, kMostNotebook, newCell, readNotebook, writeNotebook } from 
 import type { CellKind, Notebook, NotebookCell } from '../model/notebook.ts';
 import { problemOf } from '../model/problem.ts';
 import { viewTexts } from '../texts_views.ts';
-import { forgetNotebook, keepNotebook, keptNotebook } from './kept_notebook.ts';
+import { forgetNotebook, keepNotebook, keptNotebook } from './stored_notebook.ts';
 
 const kKeepAfterMs = 400;
 
@@ -21,13 +21,13 @@ export interface NotebookView {
   readonly running: string | null;
   /** Keys of those that come next. */
   readonly queued: ReadonlySet<string>;
-  /** What a cell asks for on its standard input. */
+  /** The cell that waits for standard input, and its prompt. */
   readonly asks: { readonly cell: string; readonly prompt: string } | null;
   /** Other than packed: kept by the browser, not yet or not at all. */
   readonly change: 'none' | 'pending' | 'kept' | 'lost';
 }
 
-/** Of the kernel, whether it can run cells now or will soon. */
+/** Tells whether a kernel in this state can run cells now or soon. */
 export function isUp(state: NodeState): boolean {
   return state.kind === 'starting' || state.kind === 'running';
 }
@@ -69,7 +69,7 @@ export class NotebookStore {
   private set(change: Partial<NotebookView>): void {
     this.view = { ...this.view, ...change };
     if (!this.told) return;
-    // What comes in one turn is drawn once.
+    // All changes of one turn are drawn together.
     this.told = false;
     queueMicrotask(() => {
       this.told = true;

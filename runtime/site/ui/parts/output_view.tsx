@@ -1,5 +1,5 @@
-// What a cell has shown: text, errors, and values in the best of their forms. All of it is hostile: it comes of programs and
-// of files. Text becomes text nodes, drawings become images, HTML what is harmless of it.
+// The outputs of a cell: text, errors, and values in the best of their forms. All of them are hostile: they come from programs
+// and files. Text becomes text nodes, drawings become images, and only the harmless parts of HTML stay.
 
 import { styleClasses } from '../model/ansi.ts';
 import { parseAnsi } from '../model/ansi.ts';
@@ -11,7 +11,7 @@ import { viewTexts } from '../texts_views.ts';
 import { HtmlView } from './html_view.tsx';
 import { MarkdownView } from './markdown_view.tsx';
 
-/** Of a text, so much at its end is drawn. */
+/** Upper bound of the characters of a text that are drawn: those at its end. */
 const kMostDrawn = 200_000;
 const kBase64 = /^[A-Za-z0-9+/=\s]*$/;
 

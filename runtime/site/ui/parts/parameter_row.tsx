@@ -27,7 +27,7 @@ export interface ParameterRowProps {
 }
 
 interface Setting {
-  /** What the node is being asked for. */
+  /** The value that the node has been asked to set; null: none. */
   readonly asked: ParameterValue | null;
   readonly problem: string;
   readonly setProblem: (problem: string) => void;
@@ -183,7 +183,7 @@ function Editor(props: EditorProps) {
 
 const noYaml = (): ReadValue => ({ kind: 'failed', reason: '' });
 
-/** What is typed is asked for at Enter or when the field is left; Escape brings the value back. */
+/** Typed text is set at Enter or when the field is left; Escape restores the value. */
 function TextEditor({ value, label, about, fixed, type, ask, setProblem }: EditorProps & { readonly type: number }) {
   const [draft, setDraft] = useState<string | null>(null);
   const [wrong, setWrong] = useState(false);

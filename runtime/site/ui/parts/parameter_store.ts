@@ -13,7 +13,7 @@ import { panelTexts } from '../texts_panels.ts';
 const kEvents = '/parameter_events';
 const kEventType = 'rcl_interfaces/msg/ParameterEvent';
 const kDepth = 1000;
-/** How often the names are read anew when parameters go while they are read. */
+/** How often the names are read again when parameters disappear during the read. */
 const kTries = 3;
 
 export interface KnownParameter {
@@ -48,12 +48,12 @@ interface Parameter {
 
 interface Entry {
   view: NodeParameters;
-  /** Of the service that lists them; another one is another node of that name. */
+  /** The gid of the service that lists them; another gid means another node of that name. */
   gid: string;
   /** Reads that began later have a larger one: what an older one brings is left. */
   turn: number;
   abort: AbortController | undefined;
-  /** What came while it was read: it may be newer. */
+  /** Events that came during the read: they may be newer than its result. */
   readonly waiting: Event[];
 }
 
@@ -90,7 +90,7 @@ export class ParameterStore {
     if (entry !== undefined) this.read(entry);
   }
 
-  /** Rejects when the node does not answer. What it then has is asked for: it may have changed what was set. */
+  /** Rejects when the node does not answer. Then reads the value back: the node may have changed it. */
   async set(node: string, name: string, value: ParameterValue): Promise<SetResult> {
     const caller = this.caller(this.abort.signal);
     const result = await setValue(caller, node, name, value);

@@ -12,10 +12,10 @@ import { useCamera } from './use_camera.ts';
 
 export interface PictureViewProps {
   readonly canvas: RefObject<HTMLCanvasElement | null>;
-  /** Of the canvas; null while nothing is drawn on it. */
+  /** The size of the canvas; null while nothing is drawn on it. */
   readonly size: Size | null;
   readonly label: string;
-  /** What stands at a pixel, in words. Empty outside. */
+  /** The value at a pixel, in words. Empty outside. */
   readonly wordsAt: (x: number, y: number) => string;
   readonly announce: (text: string) => void;
 }

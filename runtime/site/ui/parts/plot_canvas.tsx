@@ -15,7 +15,7 @@ export interface PlotSource {
   readonly version: number;
   readonly series: readonly NamedSamples[];
   readonly range: TimeRange;
-  /** Of the values, where it was chosen; null: all of them are seen. */
+  /** The range of the values that was chosen; null: all of them are visible. */
   readonly x: Extent | null;
   readonly y: Extent | null;
   /** Second zero of the time axis. */
@@ -31,7 +31,7 @@ export interface PlotCanvasProps {
   /** Changes with the colours of the page. */
   readonly theme: string;
   readonly source: () => PlotSource;
-  /** What pointer and keys do to it. */
+  /** The functions that pointer and keys call. */
   readonly view: PlotView;
   /** Receives a function that gives the drawing's canvas. */
   readonly canvas: { current: HTMLCanvasElement | null };
@@ -254,7 +254,7 @@ function drawMoment(plot: uPlot, shown: PlotSource, mode: PlotMode, colors: { re
   ctx.restore();
 }
 
-/** Of the points of an x-y plot the one nearest to the pointer; null: none is near. */
+/** The moment of the point of an x-y plot that is nearest to the pointer; null: none is near. */
 function nearestMoment(plot: uPlot, shown: PlotSource, left: number, top: number): number | null {
   const [first, ...others] = shown.series;
   if (first === undefined) return null;

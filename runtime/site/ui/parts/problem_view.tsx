@@ -9,14 +9,14 @@ import { CopyButton } from './button.tsx';
 export interface ProblemViewProps {
   readonly problem: Problem;
   readonly announce: (text: string) => void;
-  /** What to do or to know besides; not part of the report. */
+  /** A next step or further information; not part of the report. */
   readonly hint?: string;
   /** More buttons. */
   readonly children?: ComponentChildren;
 }
 
 export function ProblemView({ problem, announce, hint, children }: ProblemViewProps) {
-  // What follows the first line was laid out by whoever wrote it: a stack, what() of an exception.
+  // The lines after the first one have a layout of their own: a stack, what() of an exception.
   const [head, ...rest] = problem.what.split('\n');
   return (
     <div class="problem">

@@ -1,4 +1,4 @@
-// What there is to say of something that a scene shows: its topic, frame, stamp, place, and the newest message.
+// Details of an object in a scene: its topic, frame, stamp, place, and the newest message.
 
 import type { Codec } from '../../decode/codec.ts';
 import { readHeader } from '../model/transform.ts';

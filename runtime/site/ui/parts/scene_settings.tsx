@@ -10,7 +10,7 @@ export interface SceneSettingsProps {
   readonly topic: string;
   readonly settings: readonly Setting[];
   readonly look: DisplayLook;
-  /** Of the message that is shown: by what it can be coloured. */
+  /** The fields of the message by which it can be coloured. */
   readonly fields: readonly string[];
   readonly change: (change: LookChange) => void;
 }

@@ -1,4 +1,4 @@
-// What a scene cannot show, said over it while its list is closed.
+// The problems of a scene, shown over it while its list is closed.
 
 import { sceneTexts } from '../texts_scene.ts';
 

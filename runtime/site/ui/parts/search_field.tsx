@@ -4,7 +4,7 @@ import { Icon } from './icon.tsx';
 
 export interface SearchFieldProps {
   readonly value: string;
-  /** What it does, in words. */
+  /** The purpose of the field, in words. */
   readonly label: string;
   readonly onText: (text: string) => void;
 }

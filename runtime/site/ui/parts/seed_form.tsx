@@ -1,4 +1,4 @@
-// The seed of a stepped run. Setting one opens the page anew, so that the link says what runs.
+// The seed of a stepped run. Setting one opens the page again, so that the link has the new seed.
 
 import { useState } from 'preact/hooks';
 import { isSeed, seedLink } from '../model/seed_link.ts';

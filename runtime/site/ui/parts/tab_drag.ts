@@ -8,7 +8,7 @@ import type { DropTarget } from '../model/layout.ts';
 export interface DragView {
   readonly key: string;
   readonly target: DropTarget | null;
-  /** What the tab would cover, in px of the window. */
+  /** The area that the tab would cover, in px of the window. */
   readonly box: { readonly left: number; readonly top: number; readonly width: number; readonly height: number };
 }
 

@@ -138,7 +138,7 @@ function panelItems(group: Group, control: LayoutControl): readonly MenuItem[] {
   }));
 }
 
-/** What can be done with the tab at `at`. */
+/** The menu of the tab at `at`. */
 function tabItems(
   group: Group,
   at: number,

@@ -1,5 +1,5 @@
-// What a student has done of the site's tasks: what the tasks see now, and what the browser keeps of earlier visits. One
-// desk per session; it goes on while the panel of tasks is closed.
+// A student's progress in the site's tasks: the present state of the tasks, and the browser's record of earlier visits. One
+// desk per session; it continues while the panel of tasks is closed.
 
 import { carriedFiles } from '../../program/carried_files.ts';
 import type { Session, TaskCheckView, Unsubscribe } from '../../contract/session.ts';

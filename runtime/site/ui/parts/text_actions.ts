@@ -1,5 +1,5 @@
-// What the links of a lab sheet do with the graph: publish, set a parameter, call a service, send a goal, look at checks
-// again. Each tells in words how far it is.
+// The actions of a lab sheet's links on the graph: publish, set a parameter, call a service, send a goal, evaluate checks
+// again. Each reports its progress in words.
 
 import type { CheckView, PagePublisher, Session } from '../../contract/session.ts';
 import { toYaml } from '../../decode/yaml.ts';
@@ -15,7 +15,7 @@ import { codecOf } from './message_feed.ts';
 
 export type GraphAction = Extract<PageAction, { readonly kind: 'publish' | 'set_param' | 'call' | 'goal' | 'check' }>;
 
-/** Of an answer that is shown beside the text. */
+/** Upper bound of the characters of an answer that is shown beside the text. */
 const kMostAnswer = 2000;
 
 export class TextActions {
@@ -24,7 +24,7 @@ export class TextActions {
   private readonly publishers = new Map<string, PagePublisher>();
   private readonly leaving = new AbortController();
   private stopChecks: () => void = () => undefined;
-  /** What was asked last: what comes of others is said no more. */
+  /** The number of the last action: the progress of earlier ones is no longer reported. */
   private newest = 0;
 
   constructor(session: Session, say: (text: string) => void) {

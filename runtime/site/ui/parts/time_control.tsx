@@ -63,7 +63,7 @@ export function TimeControl({ session }: { readonly session: Session }) {
   );
 }
 
-/** What a stepped run has sent by the time that it is held. */
+/** The messages that a stepped run has sent, shown while time is paused. */
 function Trace({ stepped, settled }: { readonly stepped: SteppedRun; readonly settled: boolean }) {
   const trace = settled ? stepped.trace() : undefined;
   return (

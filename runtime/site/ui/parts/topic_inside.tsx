@@ -1,5 +1,5 @@
-// What an opened topic shows: who takes part with which QoS, and its last message as a tool to work with: held,
-// compared with the one before, field by field. Loaded when a topic is first opened.
+// The contents of an opened topic: its participants with their QoS, and its last message, which can be paused,
+// compared with the one before, and used field by field. Loaded when a topic is first opened.
 
 import { useRef, useState } from 'preact/hooks';
 import type { Session, TopicView } from '../../contract/session.ts';
@@ -187,7 +187,7 @@ interface FieldBarProps extends Pick<TopicInsideProps, 'open' | 'announce'> {
   readonly leave: () => void;
 }
 
-/** What can be done with the field that was chosen. */
+/** Buttons for the field that was chosen. */
 function FieldBar({ path, value, open, announce, leave }: FieldBarProps) {
   const readable = parseFieldPath(path) !== null;
   const show = (panel: string) => (): void => {

@@ -153,7 +153,7 @@ export class TurtleSheet {
     this.options.onDrawn(scene);
   }
 
-  /** Of all turtles, for there are several; that of the driven one is bold. */
+  /** Draws the names of all turtles when there are several; that of the driven one is bold. */
   private names(context: CanvasRenderingContext2D, scene: Scene, scale: number): void {
     const { canvas } = this.options;
     const size = Math.round(12 * devicePixelRatio);

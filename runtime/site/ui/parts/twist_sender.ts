@@ -42,7 +42,7 @@ export class TwistSender {
     this.told(publisher.problem?.message ?? '');
   }
 
-  /** What is held now. */
+  /** Sets the stick that is held now. */
   hold(stick: Stick): void {
     if (stick.ahead === this.stick.ahead && stick.turn === this.stick.turn) return;
     const started = isRest(this.stick);

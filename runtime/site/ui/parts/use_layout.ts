@@ -43,7 +43,7 @@ export interface LayoutControl {
   readonly enlarge: (group: string | null) => void;
   /** The address of the whole page with this layout. */
   readonly whole: () => string;
-  /** What the visitor should know about the link that was followed. */
+  /** A notice about the link that was followed; empty: there is none. */
   readonly notice: string;
   readonly dismiss: () => void;
 }
@@ -91,7 +91,7 @@ export function useLayout(
       const onlyFront = changed.root === latest.current.root;
       latest.current = changed;
       setFront(changed.front);
-      // Looking at another tab of the usual layout is no layout of one's own.
+      // Looking at another tab of the usual layout is not a layout of one's own.
       if (onlyFront) setChosen((before) => (before === null ? null : changed));
       if (onlyFront) return;
       setChosen(changed);

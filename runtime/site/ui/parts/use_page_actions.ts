@@ -1,5 +1,5 @@
-// What the links of a lab sheet do, for each panel that shows one: they open panels, run lines of the terminal, act on
-// nodes and on the graph. `said` is what came of the last one.
+// The actions of a lab sheet's links, for each panel that shows one: they open panels, run lines of the terminal, act on
+// nodes and on the graph. `said` is the result of the last one.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Session } from '../../contract/session.ts';

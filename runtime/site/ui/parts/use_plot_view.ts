@@ -25,7 +25,7 @@ export interface PlotViewOptions {
   readonly series: () => readonly NamedSamples[];
   /** The time that is drawn while nothing is held. */
   readonly following: () => TimeRange;
-  /** Something is to be drawn anew. */
+  /** Called when the plot must be drawn again. */
   readonly changed: () => void;
   /** A moment was chosen by keys. */
   readonly told: (moment: number) => void;
@@ -84,7 +84,7 @@ export function usePlotView({ mode, series, following, changed, told }: PlotView
     setNear(null);
     changed();
     if (moment === null) return;
-    // What is looked at does not run away, and is seen.
+    // The chosen moment must stay visible: the range stops moving, and includes it.
     const range = held ?? following();
     const size = range.most - range.least;
     if (moment < range.least) setHeld({ least: moment, most: moment + size });

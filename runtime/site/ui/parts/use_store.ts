@@ -1,4 +1,4 @@
-// What a panel knows of the nodes through their services: made when messages can be read, gone with the panel.
+// A store with a panel's data from the nodes' services: made when messages can be read, closed with the panel.
 
 import { useEffect, useReducer, useRef } from 'preact/hooks';
 import type { Session } from '../../contract/session.ts';

@@ -13,7 +13,7 @@ export interface CameraHost {
   /** It rests again: worth keeping. */
   settle(): void;
   home(): void;
-  /** What the tool in hand sets; null: none is. */
+  /** The kind of input of the selected tool; null: no tool is selected. */
   aims(): 'pose' | 'point' | null;
   groundAt(x: number, y: number): Vector | null;
   /** While a pose is drawn; null when it was given up. */
@@ -46,7 +46,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   let goalStart: { readonly place: Vector; readonly x: number; readonly y: number } | null = null;
   /** Where the pointer of a tool for points went down, until it is further than a press. */
   let press: Pointer | null = null;
-  /** What keys have turned the heading by. */
+  /** The angle in radians by which keys have turned the heading. */
   let keyTurn = 0;
   let settling: ReturnType<typeof setTimeout> | undefined;
   const abort = new AbortController();
@@ -182,7 +182,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   };
 }
 
-/** What a key does to a view; null: nothing. */
+/** The view after a key; null: the key does nothing. */
 export function keyed(view: CameraView, key: string, shift: boolean, height: number): CameraView | 'home' | null {
   const move = view.top || shift ? panned : turned;
   switch (key) {

@@ -1,5 +1,5 @@
-// What every display of a scene is: it takes messages as they come, builds their drawing when one is due, and says in
-// which frame its parts stand. Messages may be anything: what makes no sense is left out, or told by `problem`.
+// The interface of all displays of a scene: a display takes messages as they come, builds their drawing when one is due, and
+// reports the frame of each of its parts. Messages may be anything: invalid parts are skipped, or reported by `problem`.
 
 import type { Group, Object3D } from 'three';
 import type { DisplayLook } from '../model/display_look.ts';
@@ -37,7 +37,7 @@ export interface Display {
   anchored(): Iterable<Anchored>;
   /** Colours or the look have changed: what has them is to be built again. */
   repaint(): void;
-  /** What there is to say of what was hit: one of its objects, and which of that object's points or copies. */
+  /** Details of the part that was hit: one of its objects, and which of that object's points or copies. */
   describe?(object: Object3D, index: number | undefined): ReadonlyMap<string, string | number>;
   /** Why nothing or not all is shown; empty: all is. */
   readonly problem: string;

@@ -14,7 +14,7 @@ import { named, words } from './shapes.ts';
 
 const kMostShown = 1000;
 const kMostNames = 200;
-/** Of the distance of the target. */
+/** The sizes of axes and names, as shares of the distance of the target. */
 const kAxisLength = 0.07;
 const kNameHeight = 0.014;
 

@@ -7,7 +7,7 @@ import { disposeOf } from './dispose.ts';
 import { arrow, mesh, named, placeAt } from './shapes.ts';
 
 const kSize = { length: 1, shaft: 0.09, head: 0.26, headLength: 0.32 };
-/** Of the distance of the target. */
+/** The size of the arrow, as a share of the distance of the target. */
 const kScale = 0.14;
 
 export class GoalArrow {

@@ -1,4 +1,4 @@
-// What a scene can show: for each type of messages, what draws it and which settings that has.
+// The message types that a scene can show: for each of them, the display that draws it and its settings.
 
 import type { Setting } from '../model/display_look.ts';
 import type { Display, DisplayContext } from './display.ts';
@@ -44,7 +44,7 @@ const pair = (outer: string, first: string, second: string, scale: number): Kind
 
 const markers: Kind = { make: ({ meshes }) => new Markers(meshes), settings: [] };
 
-/** What is shown of it depends on how many are kept. */
+/** Its display depends on the number of messages that stay. */
 export const kOdometry = 'nav_msgs/msg/Odometry';
 
 const kinds: ReadonlyMap<string, Kind> = new Map<string, Kind>([

@@ -38,12 +38,12 @@ interface Parts {
   readonly text: string;
 }
 
-/** What a marker takes, at most; each part is bounded for all markers of a display together. */
+/** Upper bounds of the resources of a marker; each is bounded for all markers of a display together. */
 export interface MarkerCost {
   readonly points: number;
   /** Cubes, balls and arrows of lists. */
   readonly solids: number;
-  /** Of written words. */
+  /** The pixels of written words. */
   readonly pixels: number;
 }
 
@@ -151,7 +151,7 @@ function arrowBetween({ places, scale: [shaft, head, headLength], look }: Parts,
   return object;
 }
 
-/** Of two pieces each, drawn all at once. */
+/** Arrows of two pieces each; all of one piece are drawn at once. */
 function arrowStrip({ places, scale: [shaft, head, headLength], look }: Parts): Object3D {
   const most = Math.min(Math.max(0, places.length / 3 - 1), kMostSolids);
   const material = solid(look);
@@ -164,7 +164,7 @@ function arrowStrip({ places, scale: [shaft, head, headLength], look }: Parts): 
     const length = way.length();
     if (length === 0) continue;
     const tip = Math.min(headLength > 0 ? headLength : length * 0.23, length);
-    // What is flat has no sides that the light could fall on.
+    // A flat stick has no sides that the light could fall on.
     const stick = Math.max(length - tip, length * 1e-6);
     turn.setFromUnitVectors(kAhead, way.divideScalar(length));
     sticks.setMatrixAt(count, matrix.compose(at, turn, size.set(stick, shaft, shaft)));
@@ -215,7 +215,7 @@ function triangles({ places, colors, look, scale }: Parts): Object3D {
   return object;
 }
 
-/** Points that are no places are left out, with their colours. */
+/** Points that are no places are skipped, with their colours. */
 function readPoints(list: unknown, shades: unknown): Pick<Parts, 'places' | 'colors'> {
   const all = Array.isArray(list) ? (list.slice(0, kMostPoints) as readonly unknown[]) : [];
   const isColored = Array.isArray(shades) && Array.isArray(list) && shades.length === list.length && list.length > 0;

@@ -14,7 +14,7 @@ import type { MarkerBuilt, MarkerCost } from './marker_shape.ts';
 import type { MeshShelf, PlacedMesh } from './mesh_shelf.ts';
 
 const kMostMarkers = 5000;
-/** Of all together. Some hundred MB at most. */
+/** Upper bounds for all markers of a display together. Some hundred MB at most. */
 const kMost: MarkerCost = { points: 1_000_000, solids: 100_000, pixels: 32_000_000 };
 const kNothing: MarkerCost = { points: 0, solids: 0, pixels: 0 };
 
@@ -25,7 +25,7 @@ interface Kept {
   /** null: it is drawn as it is. */
   message: unknown;
   object: Object3D | null;
-  /** Of the object. */
+  /** The cost of the object. */
   cost: MarkerCost;
   header: HeaderView;
   problem: string;

@@ -176,7 +176,7 @@ function isSoundGltf(json: unknown): boolean {
   return isTree && nodes.length <= kMostNodes && children.length <= kMostNodes && numbers <= kMostNumbers;
 }
 
-/** What a file names: read from the site before its loader asks. */
+/** The files that a mesh file refers to: read from the site before its loader asks. */
 class NamedFiles {
   readonly manager = new LoadingManager();
   readonly path: string;
@@ -250,7 +250,7 @@ class NamedFiles {
   }
 }
 
-/** Of a glTF file's numbers. */
+/** Loads the binary data of a glTF file. */
 class NamedLoader extends FileLoader {
   private readonly named: NamedFiles;
 

@@ -1,4 +1,4 @@
-// The meshes of a scene: each file is read once, when something that is shown names it. What reads them comes with the first.
+// The meshes of a scene: each file is read once, when an object that is shown names it. The parsers are loaded with the first.
 
 import { Group, Mesh, DoubleSide } from 'three';
 import type { Material, Object3D } from 'three';

@@ -44,7 +44,7 @@ export class GridDisplay implements Display {
   private grid: Grid | null = null;
   private texture: DataTexture | null = null;
   private step = 1;
-  /** The picture is to be made anew. */
+  /** The picture must be recreated. */
   private isNew = false;
   private changed: Region[] = [];
 

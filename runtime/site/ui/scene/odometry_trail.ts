@@ -19,7 +19,7 @@ export class OdometryTrail implements Display {
   readonly group = new Group();
   private readonly trail = new Group();
   private readonly newest: NewestDisplay;
-  /** Of arrows there are at most `keep`, the newest one counted. */
+  /** There are at most `keep` arrows, including the newest one. */
   private readonly context: DisplayContext;
   private poses: Transform[] = [];
   private header: HeaderView = { stamp: NaN, frame: '' };

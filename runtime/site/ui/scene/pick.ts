@@ -1,4 +1,4 @@
-// What lies under a point of the picture: a place, and of which topic's message it is.
+// Finds the object under a point of the picture: its place, and the topic of its message.
 
 import { Vector3 } from 'three';
 import type { Object3D } from 'three';

@@ -16,7 +16,7 @@ import { disposeOf } from './dispose.ts';
 import { kPointSize, linear } from './points.ts';
 import { lookOf } from './shapes.ts';
 
-/** Of all messages that are shown together. */
+/** Upper bound of the points of all messages that are shown together. */
 const kMostKept = 4_000_000;
 const kMostMessages = 2000;
 

@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial, Color, SRGBCol
 
 export const kPointSize = 3; // pixels
 
-/** Of one colour, or of one each: red, green, blue from 0 to 1, as on a screen. */
+/** Points of one colour, or with a colour each: red, green, blue from 0 to 1, as on a screen. */
 export function points(positions: Float32Array, colors: string | Float32Array, size = kPointSize): Points<BufferGeometry, PointsMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));

@@ -1,7 +1,7 @@
 // How finely a picture is drawn: as finely as the screen shows it, and coarser while pictures take too long, as they do
 // where the processor draws them. Pure but for the look at the driver.
 
-/** Of the page's frames: a picture that keeps the next one waiting longer is too dear. */
+/** A picture is too expensive when the page's next frame comes later than this. */
 const kDear = 21; // ms
 /** One that leaves so much room may be finer. */
 const kCheap = 17.5; // ms
@@ -20,7 +20,7 @@ export class Resolution {
   /** Cheap pictures before the next try: more after each that was in vain, so that the picture does not pulsate. */
   private patience: number = kPatience.finer;
 
-  /** Of the screen's own resolution. */
+  /** The share of the screen's own resolution. */
   get share(): number {
     return this.scale;
   }

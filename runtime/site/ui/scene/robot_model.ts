@@ -14,7 +14,7 @@ import type { Rgba } from './shapes.ts';
 import type { BufferGeometry } from 'three';
 
 const kPlain = '#b9c0ca';
-/** Of shapes for collisions: seen through, so that the others are seen in them. */
+/** The look of collision shapes: transparent, so that the visual shapes inside are seen. */
 const kCollision: Rgba = { ...named('#e5a03d'), alpha: 0.55 };
 /** That are said at once. */
 const kMostFaults = 3;

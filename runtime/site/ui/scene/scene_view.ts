@@ -217,7 +217,7 @@ export class SceneView {
   }
 
   private lookup({ frame, stamp }: HeaderView): Lookup {
-    // What is in the fixed frame has its place though nobody speaks of that frame.
+    // An object in the fixed frame has its place even if no transform mentions that frame.
     if (frame === this.fixed) return { kind: 'found', transform: kIdentity };
     return this.tree.lookup(this.fixed, frame, stamp);
   }

@@ -38,7 +38,7 @@ export function box(x: number, y: number, z: number): BufferGeometry {
   return new BoxGeometry(x, y, z);
 }
 
-/** Of the diameter one, in the middle. */
+/** A sphere of diameter 1 around the origin. */
 export function ball(): BufferGeometry {
   return new SphereGeometry(0.5, 24, 16);
 }
@@ -112,7 +112,7 @@ function roomOf(lines: readonly string[]): { readonly width: number; readonly he
   };
 }
 
-/** Of the picture that words() makes of the text, at most. */
+/** Upper bound of the pixels of the picture that words() makes of the text. */
 export function pixelsOfWords(text: string): number {
   const { width, height } = roomOf(linesOf(text));
   return width * height;

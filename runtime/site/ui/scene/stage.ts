@@ -34,7 +34,7 @@ export class Stage {
   private grid: GridHelper | null = null;
   private gridShown = true;
   private view: CameraView;
-  /** What the view is around: a frame that it goes with. */
+  /** The point around which the view is: the origin of the frame that it follows. */
   private origin: Vector = [0, 0, 0];
   private frame = 0;
   private drawings = 0;
@@ -125,7 +125,7 @@ export class Stage {
     return met === null || met.length() > 1e6 ? null : [met.x, met.y, 0];
   }
 
-  /** What of an object that is seen lies under a point of the canvas, nearest first. */
+  /** The visible parts of an object under a point of the canvas, nearest first. */
   hits(x: number, y: number, object: Object3D): readonly Intersection[] {
     return this.ray(x, y).intersectObject(object, true).filter((hit) => isSeen(hit.object));
   }
@@ -172,7 +172,7 @@ export class Stage {
     this.drawings += 1;
     this.canvas.dataset['drawings'] = String(this.drawings);
     if (atRest) return;
-    // What a picture costs is known when the page has its next frame.
+    // The cost of a picture is known when the page has its next frame.
     requestAnimationFrame(() => {
       if (this.resolution.tell(performance.now() - began)) this.canvas.dataset['resolution'] = this.resolution.share.toFixed(2);
     });

@@ -17,7 +17,7 @@ export const kAims: Readonly<Record<SceneTool, 'pose' | 'point'>> = {
   goal: 'pose', estimate: 'pose', point: 'point', inspect: 'point', measure: 'point',
 };
 
-/** What a tool publishes. */
+/** The topic to which a tool publishes. */
 export interface Outlet {
   readonly topic: string;
   readonly type: string;

@@ -33,7 +33,7 @@ export interface SceneUse {
   readonly codec: Codec | string | null;
   readonly options: SceneOptions;
   readonly shown: readonly ShownTopic[];
-  /** What the tool in hand sets; null: none is. */
+  /** The kind of input of the selected tool; null: no tool is selected. */
   readonly aims: 'pose' | 'point' | null;
   readonly onView: (view: CameraView) => void;
   readonly onPose: (pose: GroundPose, frame: string) => void;
@@ -121,7 +121,7 @@ export function useScene(use: SceneUse): Scene {
     const back = (): void => setProblem('');
     element.addEventListener('webglcontextlost', lost);
     element.addEventListener('webglcontextrestored', back);
-    // What is told in words follows at a pace that can be read.
+    // Information in words follows at a pace that can be read.
     let told = -1;
     const timer = setInterval(() => {
       if (told !== made.version) tell();
@@ -140,7 +140,7 @@ export function useScene(use: SceneUse): Scene {
 
   useEffect(() => view?.setColors(), [view, theme]);
   useEffect(() => {
-    // What the visitor's own hand has set comes back late and rounded: by then the hand may be further.
+    // The visitor's own change comes back late and rounded: by then the view may have moved on.
     if (keyOf(options.view) === settled.current) return;
     settled.current = '';
     view?.look(options.view);
@@ -181,7 +181,7 @@ export function useScene(use: SceneUse): Scene {
   useEffect(() => {
     if (view === null || meshes === null || codec === null || typeof codec === 'string') return;
     const wanted = new Map(shown.map((topic) => [keyOfTopic(topic), topic]));
-    // What stays keeps what it has heard: most of it is not said twice.
+    // A subscription that stays keeps its messages: most of them are not published twice.
     for (const [key, stop] of followed.current) {
       if (wanted.has(key)) continue;
       stop();

@@ -5,7 +5,7 @@ import { kHome, kWorkspace, nameOf, parentOf } from './paths.ts';
 export interface ShellFile {
   /** Absolute. */
   readonly path: string;
-  /** Who brought it: the workspace's sources, other files of the site, the terminals of this page, or a node. */
+  /** The origin of the file: the workspace's sources, other files of the site, the terminals of this page, or a node. */
   readonly origin: 'source' | 'site' | 'own' | 'node';
   /** In bytes. */
   readonly size: () => Promise<number>;

@@ -1,5 +1,5 @@
-// What rosidl_runtime_c declares for texts and lists of C messages. Each definition is weak: every unit that includes
-// messages has it, and a program keeps one.
+// Definitions of the functions that rosidl_runtime_c declares for texts and lists of C messages. Each one is weak:
+// every unit that includes messages has it, and a program keeps one.
 #ifndef ROS2WASM_C_MESSAGES__RUNTIME_H_
 #define ROS2WASM_C_MESSAGES__RUNTIME_H_
 

@@ -41,7 +41,7 @@ class Action(LaunchDescriptionEntity):
         return entity(tag, self._place, {**(attributes or {}), **self._conditions()}, children)
 
     def _part(self, tag: str, **attributes: Any) -> Entity:
-        """A child that is no action: in the same place."""
+        """A child that is not an action: in the same place."""
         return entity(tag, self._place, attributes)
 
     def _entities(self) -> list[Entity]:

@@ -13,7 +13,7 @@ class SubstitutionFailure(RuntimeError):
 
 
 class Called(Substitution):
-    """One that the evaluator knows under a name. Arguments that are None are left out."""
+    """One that the evaluator knows under a name. Arguments that are None are skipped."""
 
     def __init__(self, name: str, *arguments: Any) -> None:
         self._name = name
@@ -35,7 +35,7 @@ class TextSubstitution(Substitution):
 
 class LaunchConfiguration(Called):
     def __init__(self, variable_name: Any, *, default: Any = None) -> None:
-        # A default that is no text, such as True, is what it prints as.
+        # A default that is not text, such as True, is what it prints as.
         given = str(default) if isinstance(default, (bool, int, float)) else default
         super().__init__('var', variable_name, given)
         self.variable_name = variable_name

@@ -22,7 +22,7 @@ def extract_type(data_type: Any) -> tuple[type, bool]:
 
 
 def is_instance_of(value: Any, data_type: Any, *, can_be_str: bool = False) -> bool:
-    """An int is no float, and a bool is no int. None: of any of the types."""
+    """An int is not a float, and a bool is not an int. None: of any of the types."""
     if data_type is None:
         if not isinstance(value, list):
             return isinstance(value, _SCALARS)

@@ -21,7 +21,7 @@ def _type_of(value_type: Any) -> str | None:
         return 'list_of_' + _TYPES[of[0]]
     if value_type in _TYPES:
         return _TYPES[value_type]
-    raise TypeError(f'{value_type!r} is no type of parameters')
+    raise TypeError(f'{value_type!r} is not a type of parameters')
 
 
 class ParameterValue:

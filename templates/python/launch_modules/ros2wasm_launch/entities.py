@@ -9,7 +9,7 @@ Entity = dict[str, Any]
 
 def entity(tag: str, place: Mapping[str, Any], attributes: Mapping[str, Any] | None = None,
            children: Iterable[Entity] = ()) -> Entity:
-    """Attributes that are None are left out."""
+    """Attributes that are None are skipped."""
     given = {name: value for name, value in (attributes or {}).items() if value is not None}
     return {'tag': tag, **place, 'attributes': given, 'children': list(children)}
 
@@ -23,4 +23,4 @@ def entities_of(value: Any) -> list[Entity]:
         return result
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
         return [one for part in value for one in entities_of(part)]
-    raise TypeError(f'{value!r} is no action of a launch file')
+    raise TypeError(f'{value!r} is not an action of a launch file')

@@ -27,7 +27,7 @@ def text_of(value: Any) -> str:
         return value._text()
     if isinstance(value, Iterable):
         return ''.join(text_of(one) for one in value)
-    raise TypeError(f'{value!r} is no text, no substitution and no list of these')
+    raise TypeError(f'{value!r} is not text, no substitution and no list of these')
 
 
 def call(name: str, *arguments: Any) -> str:
@@ -62,7 +62,7 @@ def parameter_value(value: Any) -> Any:
     if isinstance(value, Substitution):
         return text_of(value)
     if isinstance(value, (bytes, Mapping)) or not isinstance(value, Iterable):
-        raise TypeError(f'{value!r} is no value that a parameter can have')
+        raise TypeError(f'{value!r} is not a value that a parameter can have')
     return _list_value(list(value))
 
 

@@ -8,7 +8,7 @@ from ros2wasm_launch import host
 
 
 class YAMLError(Exception):
-    """A text that is no YAML."""
+    """A text that is not a YAML."""
 
 
 class SafeLoader:

@@ -5,7 +5,7 @@
 
 // Compatibility, differs: libraries of plugins -> are linked into the programs of the workspace
 // that link pluginlib, when a description names as base the program's package or one that it needs;
-// loading a plugin whose library is no target of its package throws `LibraryLoadException`
+// loading a plugin whose library is not a target of its package throws `LibraryLoadException`
 
 #include <algorithm>
 #include <memory>

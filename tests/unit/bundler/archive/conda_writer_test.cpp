@@ -11,7 +11,7 @@
 #include "bundler/archive/zip_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "unit/bundler/support/temporary_tree.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -105,7 +105,7 @@ TEST(CondaWriter, EntryPointsOfPython) {
 
 std::string refusal(const CondaPackage& bad, const fs::path& prefix) {
   const auto written = write_conda(bad, prefix);
-  return written.ok() ? "written" : written.errors().front().code;
+  return written.ok() ? "written" : written.errors().front().code.text();
 }
 
 TEST(CondaWriter, RefusesBadMetadata) {

@@ -34,7 +34,7 @@ TEST(ExtractLimits, OtherTextsAreRefused) {
         "size=18446744073709551616", "size=99999999999999G", " size=1"}) {
     const auto limits = read_extract_limits(text);
     ASSERT_FALSE(limits.ok()) << text;
-    EXPECT_EQ(limits.errors().front().code, "R2W0241") << text;
+    EXPECT_EQ(limits.errors().front().code.text(), "R2W0241") << text;
   }
   EXPECT_EQ(read_extract_limits("member=3").errors().front().fix,
             std::vector<std::string>{"write `members=3`"});
@@ -45,14 +45,14 @@ TEST(ExtractMeter, StopsAtTheLimit) {
   const std::string name = "x";
   ExtractMeter sizes(limits, name, 1000);
   EXPECT_TRUE(sizes.bytes(100).ok());
-  EXPECT_EQ(sizes.bytes(1).errors().front().code, "R2W0225");
+  EXPECT_EQ(sizes.bytes(1).errors().front().code.text(), "R2W0225");
   ExtractMeter ratios(limits, name, 2);
   EXPECT_TRUE(ratios.bytes(10).ok());
-  EXPECT_EQ(ratios.bytes(5).errors().front().code, "R2W0225");
+  EXPECT_EQ(ratios.bytes(5).errors().front().code.text(), "R2W0225");
   ExtractMeter members(limits, name, 1000);
   EXPECT_TRUE(members.member().ok());
   EXPECT_TRUE(members.member().ok());
-  EXPECT_EQ(members.member().errors().front().code, "R2W0225");
+  EXPECT_EQ(members.member().errors().front().code.text(), "R2W0225");
 }
 
 }  // namespace

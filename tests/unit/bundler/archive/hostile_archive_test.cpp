@@ -87,7 +87,7 @@ class HostileArchive : public ::testing::Test {
     EXPECT_EQ(std::distance(fs::directory_iterator(tree_ / "deep/down"), {}), 1);
     EXPECT_FALSE(fs::exists("/ros2wasm-escaped"));
     why_ = unpacked.ok() ? std::vector<std::string>() : unpacked.errors().front().why;
-    return unpacked.ok() ? "unpacked" : unpacked.errors().front().code;
+    return unpacked.ok() ? "unpacked" : unpacked.errors().front().code.text();
   }
   std::string code(const RawTar& files) { return code(conda(files, good_info())); }
 

@@ -70,7 +70,7 @@ class WheelReader : public ::testing::Test {
   /// The code with which it is refused, or "read".
   std::string code(const std::vector<Member>& members, const ExtractLimits& limits = {}) {
     const auto wheel = read(members, record_of(members), limits);
-    return wheel ? "read" : wheel.errors().front().code;
+    return wheel ? "read" : wheel.errors().front().code.text();
   }
 
   std::string code_with(const Member& more) {
@@ -110,14 +110,14 @@ TEST_F(WheelReader, NothingOfAHostileOneIsTaken) {
   EXPECT_EQ(code_with({"parts/ARM.py", kModule}), "R2W0224");
   EXPECT_EQ(code(good(), {.members = 3}), "R2W0225");
   EXPECT_EQ(code(good(), {.total_bytes = 20}), "R2W0225");
-  EXPECT_EQ(read_bytes("no zip").errors().front().code, "R2W0221");
-  EXPECT_EQ(read_bytes("").errors().front().code, "R2W0221");
+  EXPECT_EQ(read_bytes("no zip").errors().front().code.text(), "R2W0221");
+  EXPECT_EQ(read_bytes("").errors().front().code.text(), "R2W0221");
 }
 
 TEST_F(WheelReader, RecordHasEveryFileWithItsHash) {
   const auto refused = [&](const std::string& record) {
     const auto wheel = read(good(), record);
-    return !wheel && wheel.errors().front().code == "R2W0226";
+    return !wheel && wheel.errors().front().code.text() == "R2W0226";
   };
   const std::string record = record_of(good());
   EXPECT_FALSE(refused(record));
@@ -143,7 +143,7 @@ TEST_F(WheelReader, WhatIsNoWheelForASite) {
   auto members = good();
   members.erase(members.begin() + 2);
   EXPECT_EQ(code(members), "R2W0221");
-  EXPECT_EQ(read(good(), "").errors().front().code, "R2W0221");
+  EXPECT_EQ(read(good(), "").errors().front().code.text(), "R2W0221");
   members = good();
   members.push_back({"other-1.dist-info/METADATA", ""});
   EXPECT_EQ(code(members), "R2W0221");

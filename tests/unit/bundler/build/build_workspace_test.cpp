@@ -1,7 +1,8 @@
-// What building says of the place it works in, and which packages are built when, with how many
-// compilers and which not at all. Real builds are shown by pack's own tests: here `cmake` and
-// `ninja` only note that they were called.
+// Tests of the messages about the build folder, the order of builds, the number of compilers, and
+// skipped packages. The tests of pack do real builds: here `cmake` and `ninja` only record their
+// calls.
 #include "bundler/build/build_workspace.hpp"
+#include "bundler/languages/language.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ class WorkspaceBuildTest : public ::testing::Test {
     fs::permissions(tree_ / ("tools/" + name), fs::perms::owner_all);
   }
 
-  /// What every ninja does beside making a note.
+  /// Sets the commands that every `ninja` runs besides recording its call.
   void every_ninja(const std::string& text) const { tree_.write("tools/more", text); }
 
   [[nodiscard]] std::string until_both_run() const {
@@ -69,8 +70,9 @@ class WorkspaceBuildTest : public ::testing::Test {
                            .jobs = jobs};
     const auto left_out = left_out_packages(*packages, *order, {.names = {}, .of_lock = true},
                                             "jazzy", known_build_types());
-    return build_workspace(*packages, *order, left_out, tools,
-                           {.cache = tree_ / "cache", .base = tree_.root()}, {}, {});
+    return build_workspace(
+        *packages, *order, left_out, tools,
+        {.cache = tree_ / "cache", .base = tree_.root(), .builder_of = builder_of}, {}, {});
   }
 
   [[nodiscard]] static std::string names(const WorkspaceBuild& build) {
@@ -140,14 +142,14 @@ TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {
   ASSERT_EQ(built->warnings.size(), 3U);
   for (const Diagnostic& warning : built->warnings) EXPECT_EQ(warning.code, "R2W0514");
   EXPECT_EQ(built->warnings[0].message,
-            "package `listener` is left out: it needs `talker`, which is left out");
+            "package `listener` is skipped: it needs `talker`, which is skipped");
   EXPECT_EQ(built->left_out.at("listener"),
-            (std::vector<std::string>{"it needs `talker`, which is left out",
-                                      "`talker` is left out: it needs `py`, which is left out",
-                                      "`py` is left out: packages of build type `ament_cargo` are "
+            (std::vector<std::string>{"it needs `talker`, which is skipped",
+                                      "`talker` is skipped: it needs `py`, which is skipped",
+                                      "`py` is skipped: packages of build type `ament_cargo` are "
                                       "not built for sites (src/py/package.xml:2)"}));
   EXPECT_EQ(built->warnings[2].message,
-            "package `talker` is left out: it needs `py`, which is left out");
+            "package `talker` is skipped: it needs `py`, which is skipped");
 }
 
 TEST_F(WorkspaceBuildTest, APythonPackageNeedsSetupPyAndPyodide) {

@@ -101,12 +101,12 @@ TEST(CompileErrors, ALackOfMemoryIsSaid) {
   EXPECT_EQ(killed.kind, FailureKind::kEnvironment);
   EXPECT_EQ(killed.message, "out of memory: package `demo` does not compile: a.cpp.o");
   EXPECT_EQ(failed("LLVM ERROR: out of memory\nStack dump:\n").code, "R2W0521");
-  // What a source says of memory is no lack of it.
+  // A text about memory in a source does not mean that memory is missing.
   EXPECT_EQ(failed("/ws/a.cpp:4:1: error: no\nthrow \"Cannot allocate memory\";\n^\n").code,
             "R2W0502");
   const Diagnostics other =
       compile_errors("FAILED: gen/x.hpp \npython3 gen.py\nTraceback\nMemoryError\n", kPlace);
-  EXPECT_EQ(other.front().code, "R2W0521");
+  EXPECT_EQ(other.front().code.text(), "R2W0521");
 }
 
 TEST(ConfigureErrors, ThePlaceIsTheFirstErrors) {

@@ -35,7 +35,8 @@ TEST(Compiler, EmsdkComesBeforePath) {
   ASSERT_TRUE(path);
   EXPECT_EQ(path->version, "3.1.6");
   EXPECT_NE(path->identity, sdk->identity);
-  EXPECT_EQ(find_compiler({{"PATH", tree.root().string()}}).errors().front().code, "R2W0501");
+  EXPECT_EQ(find_compiler({{"PATH", tree.root().string()}}).errors().front().code.text(),
+            "R2W0501");
 }
 
 TEST(Compiler, PackagesMustComeOfTheSameOne) {

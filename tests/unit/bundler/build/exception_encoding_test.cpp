@@ -16,7 +16,7 @@ TEST(ExceptionEncoding, WithoutTheToolNothingIsTranslated) {
   const auto result =
       with_standard_exceptions("a program", tree / "bin/ros2wasm", tree / "cache", {});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.errors().front().code, "R2W0509");
+  EXPECT_EQ(result.errors().front().code.text(), "R2W0509");
   EXPECT_EQ(result.errors().front().kind, FailureKind::kEnvironment);
 }
 
@@ -29,7 +29,7 @@ TEST(ExceptionEncoding, WhatTheToolSaysIsShownAndNothingIsKept) {
   const auto result =
       with_standard_exceptions("not a program", tree / "bin/ros2wasm", tree / "cache", {});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.errors().front().code, "R2W0509");
+  EXPECT_EQ(result.errors().front().code.text(), "R2W0509");
   EXPECT_EQ(result.errors().front().kind, FailureKind::kBug);
   EXPECT_NE(result.errors().front().detail.find("Fatal: no module"), std::string::npos);
   EXPECT_TRUE(fs::is_empty(tree / "cache/exnref"));

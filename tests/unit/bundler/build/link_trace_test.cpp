@@ -1,4 +1,4 @@
-// What of a program no browser has, read off the linker's trace.
+// Tests of the limits of browsers that the linker's trace of a program shows.
 #include "bundler/build/link_trace.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(LinkTrace, TellsWhichSourcesRefer) {
   const Diagnostic left_out = left_out_for_limit(found[0]);
   EXPECT_EQ(left_out.severity, Severity::kWarning);
   EXPECT_EQ(left_out.message,
-            "`udp` of package `net` is left out: it needs sockets, which no browser has");
+            "`udp` of package `net` is skipped: it needs sockets, which no browser has");
 }
 
 TEST(LinkTrace, WhatOthersReferToCountsForNothing) {

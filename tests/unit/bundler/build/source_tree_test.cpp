@@ -1,4 +1,4 @@
-// What is no source of a package: what was made from it.
+// Tests that files made from a package are not sources of it.
 #include "bundler/build/source_tree.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(SourceTree, HasNoSitesOfOurs) {
       {"package.xml", "<package/>"},
       {"site.zip", archive_of("site.json", ours)},
       {"site/site.json", ours},
-      // Somebody else's are sources, and so is what only has the name.
+      // Archives and lists of other tools are sources, and so are files that only have such a name.
       {"meshes.zip", archive_of("arm.stl", "solid")},
       {"other.zip", archive_of("site.json", R"({"generator": "a press"})")},
       {"short.zip", archive_of("site.json", ours).substr(0, 50)},

@@ -1,4 +1,4 @@
-// Reading indexes: the forms that real channels have, and what is left out with a reason.
+// Reading indexes: the forms that real channels have, and what is skipped with a reason.
 #include "bundler/channel/channel_index.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(Repodata, BadRecordsAreLeftOutWithAReason) {
     EXPECT_FALSE(record.reason.empty()) << record.file_name;
 }
 
-// Guarantee, hostile input: a record with more dependencies than any package has is left out, and
+// Guarantee, hostile input: a record with more dependencies than any package has is skipped, and
 // does not hold up the others
 TEST(Repodata, ARecordHasALimitOfDependencies) {
   const auto record = [](int count) {
@@ -96,7 +96,7 @@ TEST(Repodata, DamagedTextsAreErrorsAndEmptyOnesAreEmpty) {
   for (const char* text : {"{", "[]", "7", "{\"packages\":}", "\xff"}) {
     const auto index = parse_repodata(text, "chan", "noarch");
     ASSERT_FALSE(index.ok()) << text;
-    EXPECT_EQ(index.errors().front().code, "R2W0202");
+    EXPECT_EQ(index.errors().front().code.text(), "R2W0202");
   }
   EXPECT_FALSE(parse_repodata(std::string(100'000, '['), "chan", "noarch").ok());
 }
@@ -107,7 +107,7 @@ constexpr const char* kOne =
 std::string load_code(const std::string& channel, const ChannelRoots& roots) {
   const std::vector<ChannelSource> sources{{.name = channel, .span = {}}};
   const auto index = load_channels(sources, roots);
-  if (!index) return index.errors().front().code;
+  if (!index) return index.errors().front().code.text();
   return std::to_string(index->records.size()) + " " +
          (index->records.empty() ? "" : index->records[0].url);
 }
@@ -153,7 +153,7 @@ TEST(LoadChannels, AllMissingChannelsAtOnce) {
 
 TEST(EmbeddedChannel, IsFoundBesideTheProgramAndAfterInstallation) {
   const testing::TemporaryTree tree;
-  EXPECT_EQ(embedded_channel(tree / "bin/ros2wasm").errors().front().code, "R2W0204");
+  EXPECT_EQ(embedded_channel(tree / "bin/ros2wasm").errors().front().code.text(), "R2W0204");
   tree.write("share/ros2wasm/channel/noarch/repodata.json", "{}");
   EXPECT_EQ(*embedded_channel(tree / "bin/ros2wasm"), tree / "share/ros2wasm/channel");
   tree.write("bin/channel/noarch/repodata.json", "{}");

@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "bundler/channel/index_cache.hpp"
-#include "workspace_schema/secret_text.hpp"
+#include "workspace_schema/base/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
 
 std::string address(const std::string& text, ChannelNetwork& network) {
   const auto found = channel_address(text, network);
-  return found ? *found : found.errors().front().code;
+  return found ? *found : found.errors().front().code.text();
 }
 
 TEST(ChannelAddress, NamesFoldersAndAddresses) {

@@ -227,7 +227,7 @@ TEST_F(Incremental, OtherBytesOfTheSameSizeAndTimeNeedAll) {
   EXPECT_EQ(read_by_index(channel_), 0U);
   const auto all = index_channel(channel_.folder(), Reading::kAll);
   ASSERT_FALSE(all.ok());
-  EXPECT_EQ(all.errors().front().code, "R2W0221");
+  EXPECT_EQ(all.errors().front().code.text(), "R2W0221");
 }
 
 TEST_F(Incremental, DamagedMemoryIsNone) {

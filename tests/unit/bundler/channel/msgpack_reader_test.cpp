@@ -31,7 +31,7 @@ std::string shown(const JsonValue& value) {
   return std::to_string(value.number().value());
 }
 
-/// Of bytes that are one value and no more.
+/// Reads bytes that must be exactly one value; nothing otherwise.
 std::optional<JsonValue> one_value(std::string_view bytes) {
   MsgpackReader reader(bytes);
   auto value = reader.value();

@@ -167,7 +167,7 @@ TEST_F(KeptIndexTest, ADamagedSourceIsAnErrorAndKeepsNothing) {
   const auto open = open_channels(
       sources, {.working_directory = tree_.root(), .embedded = {}, .cache = tree_ / "cache"});
   ASSERT_FALSE(open.ok());
-  EXPECT_EQ(open.errors().front().code, "R2W0202");
+  EXPECT_EQ(open.errors().front().code.text(), "R2W0202");
   EXPECT_TRUE(kept().empty());
 }
 

@@ -27,7 +27,7 @@ TEST(ShardIndex, WhatIsNoListOfShardsIsSaid) {
     tree.write("c/noarch/repodata_shards.msgpack.zst", bytes);
     const auto index = read_channel(tree);
     ASSERT_FALSE(index.ok());
-    EXPECT_EQ(index.errors().front().code, "R2W0202");
+    EXPECT_EQ(index.errors().front().code.text(), "R2W0202");
   }
 }
 

@@ -1,5 +1,6 @@
 // Compressed files beside those of a site: what is left alone, and which are said to be wrong.
 #include "bundler/emit/precompressed.hpp"
+#include "bundler/verify/compressed_forms.hpp"
 
 #include <gtest/gtest.h>
 

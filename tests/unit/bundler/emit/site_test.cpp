@@ -8,12 +8,12 @@
 
 #include "bundler/emit/folder_output.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/plan/plan_site.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/site_checks.hpp"
-#include "bundler/plan/site_plan.hpp"
 #include "bundler/render/page_html.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -72,7 +72,7 @@ const PlannedFile* file_of(const SitePlan& plan, const std::string& path) {
 TEST(EmitFolder, APlaceThatTakesNoFilesIsNotSaidToBeFull) {
   const auto done = emit_folder(plan_of(), "/proc/site", Cancellation());
   ASSERT_FALSE(done);
-  EXPECT_EQ(done.errors().front().code, "R2W0211");
+  EXPECT_EQ(done.errors().front().code.text(), "R2W0211");
   EXPECT_EQ(done.errors().front().message, "cannot write `/proc`");
 }
 
@@ -171,7 +171,7 @@ TEST(SitePlan, SiteJsonHasTheChecks) {
                                   .runtime = {},
                                   .interfaces = {}});
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.errors().front().code, "R2W0430");
+  EXPECT_EQ(refused.errors().front().code.text(), "R2W0430");
 }
 
 TEST(SitePlan, SiteJsonHasTheTasks) {
@@ -203,7 +203,7 @@ TEST(SitePlan, SiteJsonHasTheTasks) {
   std::get<ExitCheck>(lab.tasks.front().checks.front().what).node.value = "nobody";
   const auto refused = plan_site(input);
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.errors().front().code, "R2W0430");
+  EXPECT_EQ(refused.errors().front().code.text(), "R2W0430");
 }
 
 TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
@@ -243,7 +243,7 @@ TEST(SitePlan, AProgramMustBeAModule) {
                                .runtime = {},
                                .interfaces = {}});
   ASSERT_FALSE(plan);
-  EXPECT_EQ(plan.errors().front().code, "R2W0606");
+  EXPECT_EQ(plan.errors().front().code.text(), "R2W0606");
 }
 
 TEST(EmitFolder, WritesAndReplaces) {
@@ -296,7 +296,7 @@ TEST(EmitFolder, NothingIsWrittenOutsideTheSite) {
     plan.channel.push_back({.path = path, .bytes = "x", .size = 1});
     const auto emitted = emit_folder(plan, tree / "deep/site", {});
     ASSERT_FALSE(emitted) << path;
-    EXPECT_EQ(emitted.errors().front().code, "R2W0608");
+    EXPECT_EQ(emitted.errors().front().code.text(), "R2W0608");
     plan = plan_of();
     plan.files.push_back({.path = (tree / "evil").string(), .bytes = "x"});
     EXPECT_FALSE(emit_folder(plan, tree / "deep/site", {}));
@@ -358,7 +358,7 @@ TEST(RuntimeAssets, AreChecked) {
   EXPECT_EQ(good->front().bytes, "<p>");
   const auto bad = read_runtime_assets(list(sha256_hex("other")));
   ASSERT_FALSE(bad);
-  EXPECT_EQ(bad.errors().front().code, "R2W0604");
+  EXPECT_EQ(bad.errors().front().code.text(), "R2W0604");
   EXPECT_FALSE(read_runtime_assets(tree.write("runtime_assets.json", "{}")));
 }
 

@@ -60,15 +60,16 @@ TEST(FileLock, AFolderIsSharedOrHeldAlone) {
   const auto alone = take(false);
   ASSERT_TRUE(alone && *alone);
   EXPECT_EQ(take(true).errors().front().kind, FailureKind::kInterrupted);
-  EXPECT_EQ(FileLock::take_folder(tree / "absent", true, {}).errors().front().code, "R2W0210");
+  EXPECT_EQ(FileLock::take_folder(tree / "absent", true, {}).errors().front().code.text(),
+            "R2W0210");
 }
 
 TEST(FileLock, OneThatCannotBeHadIsAnError) {
   const testing::TemporaryTree tree;
   tree.write("file", "");
-  EXPECT_EQ(FileLock::take(tree / "file/a.lock", {}).errors().front().code, "R2W0211");
+  EXPECT_EQ(FileLock::take(tree / "file/a.lock", {}).errors().front().code.text(), "R2W0211");
   std::filesystem::create_directory(tree / "folder.lock");
-  EXPECT_EQ(FileLock::take(tree / "folder.lock", {}).errors().front().code, "R2W0211");
+  EXPECT_EQ(FileLock::take(tree / "folder.lock", {}).errors().front().code.text(), "R2W0211");
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ TEST(Files, AreReadWhole) {
   const std::string bytes("a\0b\nc", 5);
   EXPECT_EQ(*read_file(tree.write("x", bytes), kMostOfData), bytes);
   EXPECT_EQ(*read_file(tree.write("empty", ""), kMostOfData), "");
-  EXPECT_EQ(read_file(tree / "absent", kMostOfData).errors().front().code, "R2W0210");
-  EXPECT_EQ(read_file(tree.root(), kMostOfData).errors().front().code, "R2W0210");
+  EXPECT_EQ(read_file(tree / "absent", kMostOfData).errors().front().code.text(), "R2W0210");
+  EXPECT_EQ(read_file(tree.root(), kMostOfData).errors().front().code.text(), "R2W0210");
 }
 
 // Guarantee, hostile input: a manifest, a lock or a course that is there and cannot be read is
@@ -47,7 +47,7 @@ TEST(Files, OnlyWhatHasNoNameIsAbsent) {
 std::string why_not_read(const fs::path& path, std::uint64_t at_most = kMostOfText) {
   const auto text = read_file(path, at_most);
   return text ? "it was read"
-              : text.errors().front().code + ": " + text.errors().front().why.front();
+              : text.errors().front().code.text() + ": " + text.errors().front().why.front();
 }
 
 // Guarantee, hostile input: a pipe, socket or device in the place of a file is neither waited for
@@ -122,7 +122,7 @@ TEST(Files, AreReplacedWholeOrNotAtAll) {
   EXPECT_EQ(tree.read("deep/down/x"), "two");
   EXPECT_EQ(std::distance(fs::directory_iterator(tree / "deep/down"), {}), 1);
   tree.write("file", "");
-  EXPECT_EQ(write_file(tree / "file/below", "x").errors().front().code, "R2W0211");
+  EXPECT_EQ(write_file(tree / "file/below", "x").errors().front().code.text(), "R2W0211");
 }
 
 TEST(Files, APathWithinARootMayGoByLinksThatStayThere) {

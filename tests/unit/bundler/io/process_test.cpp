@@ -45,7 +45,7 @@ TEST(Process, AProgramThatIsNotThereIsAnError) {
   for (const char* name : {"no-such-program-here", "/no/such/file"}) {
     const auto result = run_process({.arguments = {name}}, {});
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.errors().front().code, "R2W0910");
+    EXPECT_EQ(result.errors().front().code.text(), "R2W0910");
   }
   const testing::TemporaryTree tree;
   const auto no_program = tree.write("broken",
@@ -130,7 +130,8 @@ TEST(Process, EndsAtItsTimeLimit) {
     EXPECT_TRUE(result->is_out_of_time);
     EXPECT_EQ(result->output, "begun\n");
   }
-  // What works is ended by the time that it worked, long before the clock's ten times as much.
+  // A busy process ends by its processor time, long before the clock limit, which is ten times as
+  // long.
   const auto begun = std::chrono::steady_clock::now();
   const auto busy = run_process({.arguments = {"sh", "-c", "while :; do :; done"},
                                  .output_mode = OutputMode::kCapture,
@@ -139,7 +140,7 @@ TEST(Process, EndsAtItsTimeLimit) {
   ASSERT_TRUE(busy);
   EXPECT_TRUE(busy->is_out_of_time);
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(7));
-  // Waiting, as for a busy machine, is not what is limited first.
+  // Waiting, as on a busy machine, does not count as processor time.
   const auto slow = run_process({.arguments = {"sh", "-c", "sleep 2; echo done"},
                                  .output_mode = OutputMode::kCapture,
                                  .time_limit = std::chrono::milliseconds(1000)},
@@ -178,7 +179,7 @@ TEST(Installation, LooksBesideTheProgramAndInShare) {
             tree / "usr/share/ros2wasm/templates/x");
   const auto missing = find_own_data(tree / "bin/ros2wasm", "templates/x", "the thing");
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.errors().front().code, "R2W0912");
+  EXPECT_EQ(missing.errors().front().code.text(), "R2W0912");
   tree.write("node_modules/.bin/wasm-opt", "");
   EXPECT_EQ(find_npm_tool(tree / "build/ros2wasm", "wasm-opt"),
             tree / "node_modules/.bin/wasm-opt");
@@ -209,11 +210,11 @@ TEST(SourceHash, ContentsCountTimesAndHiddenFilesDoNot) {
 
 TEST(SourceHash, WhatCannotBeReadHasNoHash) {
   const testing::TemporaryTree tree;
-  EXPECT_EQ(hash_of_tree(tree / "gone").errors().front().code, "R2W0210");
+  EXPECT_EQ(hash_of_tree(tree / "gone").errors().front().code.text(), "R2W0210");
   // Listed as a file of many bytes, and refuses to be read, also by root.
   tree.write("a/x.cpp", "one");
   std::filesystem::create_symlink("/proc/self/mem", tree / "a/mem.bin");
-  EXPECT_EQ(hash_of_tree(tree / "a").errors().front().code, "R2W0210");
+  EXPECT_EQ(hash_of_tree(tree / "a").errors().front().code.text(), "R2W0210");
 }
 
 TEST(SourceTree, HasFoldersBeforeTheirFilesAndEachOnce) {
@@ -287,7 +288,7 @@ TEST(SourceHash, LinksOutOfTheWorkspaceCountWithWhatTheyLeadToWhereBuildsReadIt)
       tree / "elsewhere/large",
       std::filesystem::file_time_type::clock::now() + std::chrono::hours(1));
   EXPECT_NE(hash(), large);
-  // What cannot be read fails no build.
+  // A folder that cannot be read does not fail a build.
   std::filesystem::create_directory_symlink("/proc/self", tree / "w/a/endless");
   EXPECT_FALSE(hash().empty());
 }

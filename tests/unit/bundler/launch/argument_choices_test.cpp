@@ -1,7 +1,7 @@
 // Which values of launch arguments are tried.
 #include <gtest/gtest.h>
 
-#include "bundler/launch/argument_choices.hpp"
+#include "bundler/launch/host/argument_choices.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,4 +1,4 @@
-#include "bundler/launch/import_check.hpp"
+#include "bundler/launch/host/import_check.hpp"
 
 #include <gtest/gtest.h>
 

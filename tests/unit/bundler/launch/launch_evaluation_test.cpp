@@ -82,7 +82,7 @@ constexpr Case kCases[] = {
      "a, "
      "exec: unless, unless: $(var f)}\n- node: {pkg: a, exec: one, if: true}",
      "arguments\n  f:=False\na/unless\na/one\n"},
-    {"a group that is left out", R"x(<group if="false"><node pkg="a" exec="b"/></group>)x",
+    {"a group that is skipped", R"x(<group if="false"><node pkg="a" exec="b"/></group>)x",
      "- group:\n    if: false\n    children:\n    - node: {pkg: a, exec: b}", ""},
     {"variables end with their group, unless it is not scoped",
      R"x(<let name="v" value="1"/><group><let name="v" value="2"/></group><log message="$(var v)"/>
@@ -144,9 +144,8 @@ constexpr Case kCases[] = {
     {"a shutdown", R"x(<timer period="9"><shutdown reason="done"/></timer>)x",
      "- timer: {period: 9, children: [{shutdown: {reason: done}}]}",
      "all ends: done  after 9.0 s\n"},
-    {"a command is left out", R"x(<executable cmd="gz sim -r"/>)x",
-     "- executable: {cmd: gz sim -r}",
-     "left out: gz sim -r (a site runs nodes of packages and commands of ros2 only)\n"},
+    {"a command is skipped", R"x(<executable cmd="gz sim -r"/>)x", "- executable: {cmd: gz sim -r}",
+     "skipped: gz sim -r (a site runs nodes of packages and commands of ros2 only)\n"},
     {"commands of ros2", R"x(<let name="v" value="a b"/>
         <executable cmd="ros2 topic pub $(var v)/x T '{data: $(var v)}' -1" respawn="true"/>
         <executable cmd="ros2 param get $(var v)" shell="true" on_exit="shutdown"/>
@@ -156,7 +155,7 @@ constexpr Case kCases[] = {
      "on_exit: shutdown}\n- executable: {cmd: ros2 launch p l.py}",
      "ros2 topic pub 'a b/x' T '{data: a b}' -1\n  respawn\nros2 param get a b\n  when it ends, "
      "all "
-     "ends\nleft out: ros2 launch p l.py (include the launch file)\n"},
+     "ends\nskipped: ros2 launch p l.py (include the launch file)\n"},
     {"components of a container, and some more of them",
      R"x(<node_container pkg="c" exec="component_container" name="box" namespace="">
         <composable_node pkg="a" plugin="a::B" name="one" namespace="in"><param name="p" value="1"/>
@@ -339,7 +338,7 @@ TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
       "<composable_node pkg='demo' plugin='demo::A' name='a'/></node_container>");
   ASSERT_FALSE(refused.ok());
   std::vector<std::string> codes;
-  for (const Diagnostic& error : refused.errors()) codes.push_back(error.code);
+  for (const Diagnostic& error : refused.errors()) codes.push_back(error.code.text());
   EXPECT_EQ(codes, (std::vector<std::string>{"R2W0417", "R2W0401", "R2W0402"}));
 }
 

@@ -1,11 +1,11 @@
 // Nodes against what is installed, their command lines, parameter files.
 #include <gtest/gtest.h>
 
-#include "bundler/launch/installed_tree.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
-#include "bundler/launch/share_tree.hpp"
+#include "bundler/workspace/installed_tree.hpp"
+#include "bundler/workspace/share_tree.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
@@ -114,7 +114,7 @@ TEST(ParameterFile, AllMistakesAtOnce) {
     EXPECT_GT(error.span->line, 0U);
   }
   EXPECT_FALSE(read_parameter_file("ros__parameters: {a: 1}\n", "p.yaml"));
-  EXPECT_EQ(read_parameter_file("a: [", "p.yaml").errors().front().code, "R2W0403");
+  EXPECT_EQ(read_parameter_file("a: [", "p.yaml").errors().front().code.text(), "R2W0403");
 }
 
 TEST(LaunchNodes, CountsOverAllNodesAsLaunchDoes) {
@@ -188,7 +188,7 @@ TEST(ShareTree, HasWhatProgramsReadAndNothingFromOutside) {
   ASSERT_TRUE(left_out);
   EXPECT_EQ(*left_out,
             (std::vector<std::string>{
-                "share/demo/a\\b, whose name with a backslash is no address",
+                "share/demo/a\\b, whose name with a backslash is not an address",
                 "share/demo/out, a link to a folder or out of the installed packages",
                 "share/demo/same, a link to a folder or out of the installed packages"}));
   EXPECT_EQ(files, (SharedFiles{{"share/ament_index/resource_index/robots/demo", "arm"},

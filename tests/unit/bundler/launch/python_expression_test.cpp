@@ -1,5 +1,5 @@
 // Expressions against what CPython 3.12 makes of them.
-#include "bundler/launch/python_expression.hpp"
+#include "bundler/launch/python/python_expression.hpp"
 
 #include <gtest/gtest.h>
 
@@ -303,7 +303,7 @@ TEST(PythonExpression, FailsAsPythonDoes) {
        }) {
     const auto result = evaluate_python(expression, {});
     ASSERT_FALSE(result.ok()) << expression << " gives " << *result;
-    EXPECT_EQ(result.errors().front().code, "R2W0411");
+    EXPECT_EQ(result.errors().front().code.text(), "R2W0411");
     EXPECT_NE(result.errors().front().message.find(fault), std::string::npos)
         << expression << ": " << result.errors().front().message;
   }

@@ -60,7 +60,7 @@ TEST(PythonRecord, RefusesWhatWasNeverAsked) {
   bool decided = false;
   const auto answer = record.replaying([&] { decided = true; })(call(2, "a", "1"), kNoReply);
   ASSERT_FALSE(answer.ok());
-  EXPECT_EQ(answer.errors().front().code, "R2W0732");
+  EXPECT_EQ(answer.errors().front().code.text(), "R2W0732");
   EXPECT_TRUE(decided);
 }
 

@@ -1,5 +1,5 @@
 // Talks with Python that go as one before, and that go another way.
-#include "bundler/launch/python_transcript.hpp"
+#include "bundler/launch/host/python_transcript.hpp"
 
 #include <gtest/gtest.h>
 
@@ -111,7 +111,7 @@ TEST(PythonTranscript, WhoSaysSomethingElseNowIsNotBelieved) {
   EXPECT_EQ(*transcript.ask("a", told.reply()), "said something else");
   const auto other = transcript.ask("d", told.reply());
   ASSERT_FALSE(other);
-  EXPECT_EQ(other.errors().front().code, "R2W0416");
+  EXPECT_EQ(other.errors().front().code.text(), "R2W0416");
   EXPECT_TRUE(transcript.has_failed());
 }
 

@@ -58,7 +58,7 @@ TEST(RvizConfig, KindsAreThoseOfThePage) {
   EXPECT_EQ(found.elsewhere.size(), 3U);
   EXPECT_TRUE(begin_with(found.elsewhere, "image"));
   EXPECT_EQ(found.missing.size(), 3U);
-  EXPECT_TRUE(begin_with(found.missing, "left out"));
+  EXPECT_TRUE(begin_with(found.missing, "skipped"));
 }
 
 TEST(RvizConfig, WhatIsNoneHasNone) {

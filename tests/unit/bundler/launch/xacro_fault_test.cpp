@@ -1,7 +1,7 @@
 // Documents of xacro that are wrong, that mean harm, and command lines.
 #include <gtest/gtest.h>
 
-#include "bundler/launch/xacro.hpp"
+#include "bundler/launch/xacro/xacro.hpp"
 #include "tests/unit/bundler/support/xacro_documents.hpp"
 
 namespace ros2wasm {
@@ -36,8 +36,8 @@ TEST(Xacro, FaultsNameWhatIsWrong) {
            Case{"a name of macros", "<xacro:macro name=\"a.b\"/>", "have no `.`"},
            Case{"another", "<xacro:macro name=\"call\"/>", "cannot have the name `call`"},
            Case{"names of properties", "<xacro:property name=\"a-b\" value=\"1\"/>",
-                "`a-b` is no name for a property"},
-           Case{"keywords", "<xacro:property name=\"if\" value=\"1\"/>", "`if` is no name"},
+                "`a-b` is not a name for a property"},
+           Case{"keywords", "<xacro:property name=\"if\" value=\"1\"/>", "`if` is not a name"},
            Case{"hidden names", "<xacro:property name=\"__a\" value=\"1\"/>", "do not begin with"},
            Case{"two values", "<xacro:property name=\"a\" value=\"\" default=\"\"/>",
                 "exclude each other"},
@@ -47,17 +47,17 @@ TEST(Xacro, FaultsNameWhatIsWrong) {
                 "<xacro:property name=\"a\" value=\"${b}\"/><xacro:property name=\"b\" "
                 "value=\"${a}\"/>${a}",
                 "`a` is defined by itself"},
-           Case{"no condition", "<xacro:if value=\"maybe\"/>", "`maybe` is no condition"},
-           Case{"nor this", "<xacro:if value=\"1.0\"/>", "`1.0` is no condition"},
+           Case{"no condition", "<xacro:if value=\"maybe\"/>", "`maybe` is not a condition"},
+           Case{"nor this", "<xacro:if value=\"1.0\"/>", "`1.0` is not a condition"},
            Case{"no value", "<xacro:if/>", "`xacro:if` needs the attribute `value`"},
            Case{"a name of elements", "<xacro:element xacro:name=\"a b\"/>",
-                "`a b` is no name for an element"},
-           Case{"no name", "<xacro:element xacro:name=\"${''}\"/>", "`` is no name"},
+                "`a b` is not a name for an element"},
+           Case{"no name", "<xacro:element xacro:name=\"${''}\"/>", "`` is not a name"},
            Case{"a name of attributes", "<xacro:attribute name=\"1\" value=\"\"/>",
-                "`1` is no name for an attribute"},
+                "`1` is not a name for an attribute"},
            Case{"an open expression", "a${b", "is not closed"},
            Case{"an open substitution", "$(arg b", "is not closed"},
-           Case{"dollars", "$$ x", "`$$` stands before"},
+           Case{"dollars", "$$ x", "`$$` is for"},
            Case{"no expression", "${1 +}", "SyntaxError"},
            Case{"a division", "<xacro:property name=\"z\" value=\"0\"/>${1/z}",
                 "ZeroDivisionError"},
@@ -105,11 +105,11 @@ TEST(Xacro, FaultsNameTheirPlaceAndTheWayThere) {
 TEST(Xacro, FilesThatAreNoXmlAreTold) {
   const auto broken = expand(robot("\n<xacro:include filename=\"broken.xacro\"/>"));
   ASSERT_FALSE(broken.ok());
-  EXPECT_EQ(broken.errors().front().code, "R2W0120");
+  EXPECT_EQ(broken.errors().front().code.text(), "R2W0120");
   EXPECT_EQ(broken.errors().front().span->file, "broken.xacro");
   const auto undeclared = expand("<r>\n <xacro:property name=\"a\" value=\"1\"/></r>");
   ASSERT_FALSE(undeclared.ok());
-  EXPECT_EQ(undeclared.errors().front().code, "R2W0120");
+  EXPECT_EQ(undeclared.errors().front().code.text(), "R2W0120");
   EXPECT_EQ(undeclared.errors().front().span->line, 2U);
   EXPECT_NE(undeclared.errors().front().label.find("xmlns:xacro"), std::string::npos);
   for (const char* document : {"<a b='1' b='2'/>", "<a/><b/>", "", "text", "<a><b></a>"})
@@ -189,7 +189,7 @@ TEST(Xacro, CommandLines) {
     const auto one = request(line);
     ASSERT_TRUE(one.has_value()) << line;
     ASSERT_FALSE(one->ok()) << line;
-    EXPECT_EQ(one->errors().front().code, "R2W0418") << line;
+    EXPECT_EQ(one->errors().front().code.text(), "R2W0418") << line;
   }
 }
 

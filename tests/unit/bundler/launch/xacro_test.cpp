@@ -1,12 +1,12 @@
 // Documents of xacro against what the tool itself makes of them.
-#include "bundler/launch/xacro.hpp"
+#include "bundler/launch/xacro/xacro.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "tests/unit/bundler/support/xacro_documents.hpp"
-#include "workspace_schema/xml_reader.hpp"
+#include "workspace_schema/base/xml_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,4 +1,4 @@
-// What a budget counts, and what is said beyond it.
+// Tests of the files that a budget counts, and of the message when a site exceeds it.
 #include "bundler/plan/size_budget.hpp"
 
 #include <gtest/gtest.h>

@@ -65,10 +65,10 @@ TEST_F(FindHeadlessTest, FindsTheProgramOfEachRole) {
 }
 
 TEST_F(FindHeadlessTest, SaysWhatIsMissing) {
-  EXPECT_EQ(find_headless_program(root() / "ros2wasm").errors().front().code, "R2W0912");
-  EXPECT_EQ(find_with(R"({"assets":[]})").errors().front().code, "R2W0623");
-  EXPECT_EQ(find_with("{}").errors().front().code, "R2W0623");
-  EXPECT_EQ(find_with("{").errors().front().code, "R2W0604");
+  EXPECT_EQ(find_headless_program(root() / "ros2wasm").errors().front().code.text(), "R2W0912");
+  EXPECT_EQ(find_with(R"({"assets":[]})").errors().front().code.text(), "R2W0623");
+  EXPECT_EQ(find_with("{}").errors().front().code.text(), "R2W0623");
+  EXPECT_EQ(find_with("{").errors().front().code.text(), "R2W0604");
 }
 
 }  // namespace

@@ -52,12 +52,12 @@ TEST_F(FindNodeJsTest, SaysWhatIsWrong) {
   const std::string path = (root() / "bin").string();
   const auto none = find_node_js(root() / "build/ros2wasm", path, {});
   ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.errors().front().code, "R2W0620");
+  EXPECT_EQ(none.errors().front().code.text(), "R2W0620");
   for (const std::string version : {"20.19", "22.12"}) {  // the latter has no --permission
     put("bin/node", "v" + version + ".4");
     const auto old = find_node_js(root() / "build/ros2wasm", path, {});
     ASSERT_FALSE(old.ok());
-    EXPECT_EQ(old.errors().front().code, "R2W0620");
+    EXPECT_EQ(old.errors().front().code.text(), "R2W0620");
     EXPECT_NE(old.errors().front().why.front().find("version " + version), std::string::npos);
   }
   put("bin/node", "hello");

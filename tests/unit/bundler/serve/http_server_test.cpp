@@ -24,7 +24,7 @@ TEST(HttpServer, SaysThatAPortIsInUse) {
   ASSERT_TRUE(first.ok());
   const auto second = HttpServer::start("127.0.0.1", first->port(), hello);
   ASSERT_FALSE(second.ok());
-  EXPECT_EQ(second.errors().front().code, "R2W0610");
+  EXPECT_EQ(second.errors().front().code.text(), "R2W0610");
   EXPECT_EQ(second.errors().front().kind, FailureKind::kEnvironment);
 }
 
@@ -41,7 +41,7 @@ TEST(HttpServer, FreesItsPort) {
 TEST(HttpServer, SaysThatAnAddressIsNotOurs) {
   const auto server = HttpServer::start("192.0.2.1", 0, hello);
   ASSERT_FALSE(server.ok());
-  EXPECT_EQ(server.errors().front().code, "R2W0611");
+  EXPECT_EQ(server.errors().front().code.text(), "R2W0611");
 }
 
 }  // namespace

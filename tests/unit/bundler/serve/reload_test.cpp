@@ -1,4 +1,4 @@
-// What pages are told in watch mode, and where the script goes.
+// Tests of the messages to pages in watch mode, and of the place of the script.
 #include "bundler/serve/reload.hpp"
 
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "bundler/io/sha256.hpp"
-#include "bundler/plan/site_place.hpp"
 #include "bundler/serve/site_policy.hpp"
+#include "bundler/site/site_place.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
@@ -38,7 +38,7 @@ class ServedStore : public ::testing::Test {
 
   void prove_store() { tree_.write("lab/objects/store.json", std::string(kStoreMarkerText)); }
 
-  /// What is found below the site `lab/one`, or nothing.
+  /// The text that is found at a path below the site `lab/one`, or "folder" or "nothing".
   [[nodiscard]] std::string found(const std::string& path) const {
     const Found file = find_served(served_place(tree_ / "lab/one"), path);
     if (file.kind == Lookup::kFolder) return "folder";
@@ -118,7 +118,7 @@ TEST_F(ServedStore, AnEarlierPackIsFoundByTheHashOfItsBytes) {
   fs::remove_all(tree_ / "lab/one@0123456789abcdef");
   fs::rename(tree_ / ("lab/" + name), tree_ / "lab/real");
   fs::create_directory_symlink("real", tree_ / ("lab/" + name));
-  EXPECT_EQ(found(name + "/index.html"), "nothing") << "a link is no pack";
+  EXPECT_EQ(found(name + "/index.html"), "nothing") << "a link is not a pack";
 }
 
 TEST(StoreNames, AreThoseThatPackGives) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 std::string cache_in(const testing::TemporaryTree& home, const std::string& xdg = {}) {
   const auto place = cache_directory({{"XDG_CACHE_HOME", xdg}, {"HOME", home.root().string()}});
   return place ? place->string()
-               : place.errors().front().code + ": " + place.errors().front().why.front();
+               : place.errors().front().code.text() + ": " + place.errors().front().why.front();
 }
 
 TEST(CachePlace, FollowsXdgAndIsOfThisUserAlone) {

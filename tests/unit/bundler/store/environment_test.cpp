@@ -106,7 +106,7 @@ TEST(Environment, NothingIsWrittenThroughAnotherPackagesLink) {
   const PackageRecord a = channel.record("a");
   const auto both = make_environment(channel.store(), {a, channel.record("b")});
   ASSERT_FALSE(both.ok());
-  EXPECT_EQ(both.errors().front().code, "R2W0231");
+  EXPECT_EQ(both.errors().front().code.text(), "R2W0231");
   EXPECT_EQ(both.errors().front().message,
             "`b-1.0-h_0` and `a-1.0-h_0` cannot be installed together");
   const auto all = make_environment(channel.store(), {a, channel.record("b"), channel.record("c")});
@@ -149,7 +149,7 @@ TEST(PythonPackages, WithoutAPythonThereIsNoPlaceForThem) {
   EXPECT_EQ(*site_packages_of({generic}, {"/none"}), "");
   PackageRecord module = testing::made_record("b", "1.0");
   module.noarch = NoarchKind::kPython;
-  EXPECT_EQ(site_packages_of({generic, module}, {"/none", "/none"}).errors().front().code,
+  EXPECT_EQ(site_packages_of({generic, module}, {"/none", "/none"}).errors().front().code.text(),
             "R2W0242");
   const testing::TemporaryTree tree;
   tree.write("info/index.json", "{}");
@@ -160,7 +160,7 @@ TEST(PythonPackages, WithoutAPythonThereIsNoPlaceForThem) {
                                                         {"3.x", "R2W0242"}}) {
     const auto found =
         site_packages_of({module, testing::made_record("python", version)}, {"/none", tree.root()});
-    EXPECT_EQ(found.ok() ? *found : found.errors().front().code, place) << version;
+    EXPECT_EQ(found.ok() ? *found : found.errors().front().code.text(), place) << version;
   }
 }
 

@@ -24,7 +24,7 @@ std::size_t left_behind(const testing::SmallChannel& channel) {
 }
 
 std::string code_of(const Outcome<fs::path>& outcome) {
-  return outcome.ok() ? "ok" : outcome.errors().front().code;
+  return outcome.ok() ? "ok" : outcome.errors().front().code.text();
 }
 
 class StoreTest : public ::testing::Test {
@@ -130,7 +130,7 @@ TEST_F(StoreTest, ManyAtOnceGetTheSameFolder) {
   for (std::string& answer : answers) {
     threads.emplace_back([this, &answer] {
       const auto folder = channel_.store().unpacked(record_);
-      answer = folder.ok() ? folder->string() : folder.errors().front().code;
+      answer = folder.ok() ? folder->string() : folder.errors().front().code.text();
     });
   }
   for (std::thread& thread : threads) thread.join();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bundler/launch/xacro.hpp"
+#include "bundler/launch/xacro/xacro.hpp"
 
 namespace ros2wasm::xacro_documents {
 

@@ -10,7 +10,7 @@
 #include "bundler/io/base64.hpp"
 #include "bundler/io/ed25519.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/base/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -40,7 +40,7 @@ std::string good_record() {
 
 std::string refused(const std::string& text) {
   const auto file = read_progress_file(text, "ada.json");
-  return file ? "" : file.errors().front().code;
+  return file ? "" : file.errors().front().code.text();
 }
 
 TEST(ProgressFile, IsReadWithItsKey) {

@@ -6,7 +6,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "bundler/render/own_site.hpp"
+#include "bundler/site/own_site.hpp"
 #include "bundler/verify/course_check.hpp"
 #include "unit/bundler/support/temporary_tree.hpp"
 

@@ -6,8 +6,8 @@
 #include "bundler/resolve/solve.hpp"
 #include "bundler/workspace/manifest_init.hpp"
 #include "unit/bundler/support/temporary_tree.hpp"
-#include "workspace_schema/lock.hpp"
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/lock.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -23,7 +23,7 @@ ForeignEnvironment taken(const std::string& text, const std::string& file,
 
 std::string refusal(const std::string& text, const std::string& file) {
   const auto read = read_foreign_environment(text, file, {});
-  return read.ok() ? "taken over" : read.errors().front().code;
+  return read.ok() ? "taken over" : read.errors().front().code.text();
 }
 
 constexpr const char* kPixiLock = R"(version: 6
@@ -169,7 +169,7 @@ TEST(ForeignEnvironment, BecomesAWorkspaceWithALock) {
   EXPECT_EQ(lock->packages.size(), 2U);
   const auto again = init_from_environment(file, {}, {});
   ASSERT_FALSE(again.ok());
-  EXPECT_EQ(again.errors().front().code, "R2W0630");
+  EXPECT_EQ(again.errors().front().code.text(), "R2W0630");
 }
 
 }  // namespace

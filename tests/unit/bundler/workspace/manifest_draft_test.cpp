@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -21,7 +21,7 @@ std::string problem_of(const std::string& text) {
   const auto cells = notebook_cells(text, "lab.ipynb");
   EXPECT_FALSE(cells.ok()) << text;
   if (cells.ok()) return {};
-  EXPECT_EQ(cells.errors().front().code, "R2W0124");
+  EXPECT_EQ(cells.errors().front().code.text(), "R2W0124");
   return cells.errors().front().why.front();
 }
 
@@ -51,8 +51,8 @@ TEST(PageNotebook, TellsWhatItsCodeImports) {
   EXPECT_EQ(modules[1].span.line, 4U);
 }
 
-// Guarantee, hostile input: a file that is no notebook is refused when it is packed, with what it
-// is instead
+// Guarantee, hostile input: a file that is not a notebook is refused when it is packed, with what
+// it is instead
 TEST(PageNotebook, RefusesWhatIsNone) {
   EXPECT_EQ(problem_of("[]"), "it has no number `nbformat`");
   EXPECT_EQ(problem_of(R"({"nbformat": "4"})"), "it has no number `nbformat`");
@@ -75,9 +75,11 @@ TEST(PageNotebook, BringsTheImagesOfItsMarkdown) {
   ASSERT_EQ(notebook->files.size(), 2U);
   EXPECT_EQ(notebook->files[1].path, "lab/a.png");
   EXPECT_EQ(notebook->code.size(), 3U);
-  EXPECT_EQ(
-      read_page_notebook(tree.root(), {.value = "none.ipynb", .span = {}}).errors().front().code,
-      "R2W0118");
+  EXPECT_EQ(read_page_notebook(tree.root(), {.value = "none.ipynb", .span = {}})
+                .errors()
+                .front()
+                .code.text(),
+            "R2W0118");
 }
 
 }  // namespace

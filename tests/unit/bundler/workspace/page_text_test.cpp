@@ -53,7 +53,7 @@ TEST(PageText, LeavesOutIndentedCodeAndComments) {
                             "<!-- ![x](d.png) --> <!--\n![x](e.png)\n\n```\n--> \n"
                             "Words <!-- ![x](f.png)\n-->\n<!--\n![x](g.png)\n"),
             Paths());
-  // A paragraph goes on, a list has such lines, and what is no comment is text.
+  // A paragraph goes on, a list has such lines, and what is not a comment is text.
   EXPECT_EQ(markdown_images("Text\n    ![x](a.png)\n\n1. Item\n\n    ![x](b.png)\n\nText\n\n"
                             "    ![x](no.png)\n`<!--` ![x](c.png) \\`-->\n<!---->![x](d.png)\n"
                             "Words <!-- open ![x](e.png)"),

@@ -173,14 +173,14 @@ TEST(BuildOrder, CirclesAndTwinsAreErrors) {
   tree.write("src/b/package.xml", package_xml("b", "<depend>a</depend>\n"));
   const auto circle = order_packages(discovered(tree, "src"), "jazzy");
   ASSERT_FALSE(circle);
-  EXPECT_EQ(circle.errors().front().code, "R2W0512");
+  EXPECT_EQ(circle.errors().front().code.text(), "R2W0512");
   EXPECT_EQ(circle.errors().front().why.front(), "`a` needs `b` needs `a`");
   const TemporaryTree twins;
   twins.write("src/x/package.xml", package_xml("same"));
   twins.write("src/y/package.xml", package_xml("same"));
   const auto twice = order_packages(discovered(twins, "src"), "jazzy");
   ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.errors().front().code, "R2W0511");
+  EXPECT_EQ(twice.errors().front().code.text(), "R2W0511");
 }
 
 TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
@@ -283,8 +283,8 @@ TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
   EXPECT_EQ(
       chains_by_name(packages, left_out),
       (LeftOutChains{{"lab",
-                      {"it needs `sim`, which is left out",
-                       "`sim` is left out: no channel has `std_mgs`, `gazebo_ros`, which it needs "
+                      {"it needs `sim`, which is skipped",
+                       "`sim` is skipped: no channel has `std_mgs`, `gazebo_ros`, which it needs "
                        "(shown/src/sim/package.xml:7)"}},
                      {"sim",
                       {"no channel has `std_mgs`, `gazebo_ros`, which it needs "
@@ -293,7 +293,7 @@ TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
   EXPECT_EQ(left_out.at(3).warning.severity, Severity::kWarning);
   EXPECT_EQ(left_out.at(3).warning.why.front(), "a channel has `ros-jazzy-std-msgs`");
 
-  // What is left out asks for nothing, and the lock keeps what was looked for in vain.
+  // Skipped packages request nothing, and the lock stores the names that no channel has.
   const auto request = channel_request(Manifest{}, packages, left_out, known, "");
   ASSERT_TRUE(request);
   ASSERT_EQ(request->specs.size(), 1U);
@@ -302,7 +302,7 @@ TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
             (std::vector<std::string>{"ros-jazzy-gazebo-ros", "ros-jazzy-std-mgs"}));
   const KnownNames locked{.names = known.names, .of_lock = true, .absent = request->absent};
   EXPECT_EQ(left_out_packages(packages, *order, locked, "jazzy", types).size(), 2U);
-  // What the lock never heard of may be in a channel by now.
+  // A name that the lock does not know may be in a channel by now.
   EXPECT_TRUE(
       left_out_packages(packages, *order, {.names = known.names, .of_lock = true}, "jazzy", types)
           .empty());

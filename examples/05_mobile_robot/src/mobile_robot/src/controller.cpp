@@ -113,7 +113,7 @@ private:
       return;
     }
 
-    // Across the back, the angle jumps by a whole turn; that is no change.
+    // Across the back, the angle jumps by a whole turn; that is not a change.
     const double change = last_error_ ? std::remainder(error - *last_error_, 2 * M_PI) / kPeriod : 0;
     last_error_ = error;
     geometry_msgs::msg::Twist twist;

@@ -84,7 +84,7 @@ Kind kind_of(uint8_t type) {
   return number_size(type) == 0 ? Kind::none : Kind::integer;
 }
 
-/// How many elements a field has: one when it is no array and no sequence.
+/// How many elements a field has: one when it is not an array and no sequence.
 size_t count_elements(CdrReader& reader, const FieldInfo& field) {
   if (!has_elements(field)) {
     return 1;

@@ -123,7 +123,7 @@ _ELEMENTS: dict[Parameter.Type, type] = {
 
 
 def get_parameter_value(string_value: str) -> Any:
-    """What a text means: read as YAML; a text that is no value stays a string."""
+    """What a text means: read as YAML; a text that is not a value stays a string."""
     try:
         value = parse_value(string_value)
         return Parameter('', value=string_value if value is None else value).get_parameter_value()

@@ -108,7 +108,7 @@ class Timer:
         self._last_ns = now
         self._next_ns += self._period_ns
         if self._next_ns < now:
-            # Periods that were missed are left out; the phase stays.
+            # Periods that were missed are skipped; the phase stays.
             if self._period_ns == 0:
                 self._next_ns = now
             else:

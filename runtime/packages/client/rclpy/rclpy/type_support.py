@@ -13,7 +13,7 @@ SrvTypeResponse = TypeVar('SrvTypeResponse')
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:
-    """NoTypeSupportImportedException: it is no interface."""
+    """NoTypeSupportImportedException: it is not an interface."""
     if not isinstance(msg_or_srv_type, MessageMeta) and not hasattr(msg_or_srv_type, '_type_name'):
         raise NoTypeSupportImportedException()
 

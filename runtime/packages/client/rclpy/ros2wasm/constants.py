@@ -31,7 +31,7 @@ FLAG_MIRROR = 4
 
 
 class EndpointKind(IntEnum):
-    """What an endpoint is."""
+    """The kinds of endpoints."""
 
     PUBLISHER = 1
     SUBSCRIPTION = 2
@@ -129,7 +129,7 @@ class PolicyKind(IntEnum):
     LIVELINESS_LEASE = 256
 
 
-#: struct format. What travels with a payload; also the frame header on both links. Little endian.
+#: struct format. The metadata of a payload; also the frame header on both links. Little endian.
 SAMPLE_INFO_FORMAT = "<IIqqq16s16s"
 
 #: struct format. Argument of endpoint_create; pointers are addresses in the program's memory.

@@ -18,7 +18,7 @@ METHODS = {
     '_repr_latex_': 'text/latex',
     '_repr_json_': 'application/json',
 }
-#: Characters of one form; a longer text is cut, another form is left out.
+#: Characters of one form; a longer text is cut, another form is skipped.
 MOST = 4 << 20
 WIDE = 79
 

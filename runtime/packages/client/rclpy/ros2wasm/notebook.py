@@ -218,7 +218,7 @@ class Kernel:
             yield compile(ast.Expression(last.value), file, 'eval', FLAGS, dont_inherit=True), True
 
     def without_magics(self, source: str) -> str | None:
-        """Lines that IPython reads and Python does not are left out; None: there are none."""
+        """Lines that IPython reads and Python does not are skipped; None: there are none."""
         lines = source.split('\n')
         magics = [at for at, line in enumerate(lines) if MAGIC.match(line)]
         if not magics or lines[magics[0]].startswith('%%'):

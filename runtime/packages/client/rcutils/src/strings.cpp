@@ -145,7 +145,7 @@ int rcutils_string_array_sort_compare(const void* left, const void* right) {
   return std::strcmp(a, b);
 }
 
-/* Empty parts, of delimiters at an end or in a row, are left out. */
+/* Empty parts, of delimiters at an end or in a row, are skipped. */
 rcutils_ret_t rcutils_split(const char* str, char delimiter, rcutils_allocator_t allocator,
                             rcutils_string_array_t* string_array) {
   if (string_array == nullptr) {

@@ -39,7 +39,7 @@ def type_name(type_: Any) -> str:
 
 
 def in_place_of(value: Any, type_: Any) -> str:
-    """What stands for a sequence that is left out."""
+    """What stands for a sequence that is skipped."""
     element = type_name(type_.value_type)
     if isinstance(type_, slot_types.Array):
         return f'<array type: {element}[{type_.size}]>'

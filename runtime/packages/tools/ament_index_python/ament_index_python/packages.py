@@ -23,7 +23,7 @@ def get_packages_with_prefixes() -> dict[str, str]:
 
 
 def get_package_prefix(package_name: str) -> str:
-    """Return the prefix that has the package. PackageNotFoundError, or ValueError for what is no name."""
+    """Return the prefix that has the package. PackageNotFoundError, or ValueError for what is not a name."""
     if not PACKAGE_NAME.fullmatch(package_name):
         raise ValueError(f"'{package_name}' is not a valid package name")
     prefix = has_resource('packages', package_name)

@@ -44,8 +44,8 @@ class Joints {
  public:
   explicit Joints(JointOptions options) : options_(std::move(options)) {}
 
-  /// Replaces the joints by those of a description; `warn` is told of joints that are left out.
-  /// Throws std::runtime_error when it is no XML or no robot; the joints stay then.
+  /// Replaces the joints by those of a description; `warn` is told of joints that are skipped.
+  /// Throws std::runtime_error when it is not an XML or no robot; the joints stay then.
   void configure(const std::string& description,
                  const std::function<void(const std::string&)>& warn);
   /// Takes what is told of free joints.

@@ -10,7 +10,7 @@ from rosbag2_py._storage import BagMetadata
 
 class Info:
     def read_metadata(self, uri: str, storage_id: str) -> BagMetadata:
-        """Of a folder or a file. RuntimeError: it is no bag."""
+        """Of a folder or a file. RuntimeError: it is not a bag."""
         if not os.path.exists(uri):
             raise RuntimeError(f'Bag path {uri} does not exist.')
         if _metadata_yaml.is_there(uri):

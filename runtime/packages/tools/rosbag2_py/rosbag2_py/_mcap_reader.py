@@ -55,13 +55,13 @@ class ChunkHead(NamedTuple):
 
 
 class McapReader:
-    """RuntimeError: it is no MCAP file, or nothing of it can be read."""
+    """RuntimeError: it is not a MCAP file, or nothing of it can be read."""
 
     def __init__(self, path: str) -> None:
         self._file = open(path, 'rb')
         self.size = os.fstat(self._file.fileno()).st_size
         if self.size < len(mcap.MAGIC) or self._bytes(0, len(mcap.MAGIC)) != mcap.MAGIC:
-            raise RuntimeError(f'invalid magic bytes: "{path}" is no MCAP file')
+            raise RuntimeError(f'invalid magic bytes: "{path}" is not a MCAP file')
         #: Why not all of it can be read; empty: it is whole, as far as its index says.
         self.damage = ''
         self._forget()
@@ -90,7 +90,7 @@ class McapReader:
         return bool(self.chunks) or self.statistics.messages == 0
 
     def metadata(self, name: str) -> list[dict[str, str]]:
-        """Of that name; what cannot be read of them is left out."""
+        """Of that name; what cannot be read of them is skipped."""
         found = []
         # Together they are no larger than the file: none is there twice.
         left = self.size
@@ -276,7 +276,7 @@ class McapReader:
                 raise Damaged('a chunk lies elsewhere than its index says')
             head = self._chunk_head(record)
             if head.size > MOST_HELD - sum(sizes.values()):
-                raise Damaged('too many of its chunks lie over each other')
+                raise Damaged('too many of its chunks overlap')
             unread[offset], sizes[offset] = 0, head.size
             for kind, content, at in mcap.records(self._chunk(head)):
                 self._take(kind, content)

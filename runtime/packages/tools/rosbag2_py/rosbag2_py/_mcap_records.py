@@ -251,7 +251,7 @@ def unpack_lz4(data: bytes | memoryview, size: int) -> bytes:
         raise Damaged('LZ4 data are too short for what they say')
     while not from_.at_end():
         if from_.number(4) != LZ4_MAGIC:
-            raise Damaged('a chunk is no frame of LZ4')
+            raise Damaged('a chunk is not a frame of LZ4')
         flags = from_.number(1)
         if flags >> 6 != 1 or flags & 1:
             raise Damaged('an LZ4 of another version, or with a dictionary')

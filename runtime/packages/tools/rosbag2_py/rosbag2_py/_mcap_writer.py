@@ -43,7 +43,7 @@ class McapWriter:
 
     def add_schema(self, name: str, encoding: str, data: bytes) -> int:
         """Give its id. It goes out with its first message, and at the end."""
-        # 0 is no schema.
+        # 0 is not a schema.
         self._schemas.append(mcap.Schema(len(self._schemas) + 1, name, encoding, data))
         return len(self._schemas)
 

@@ -121,13 +121,13 @@ def _text(value: Any) -> str:
     if value is None:
         return ''
     if not isinstance(value, (str, int, float)):
-        raise ValueError(f'{str(value)[:40]!r} is no text')
+        raise ValueError(f'{str(value)[:40]!r} is not text')
     return str(value)
 
 
 def _list(value: Any) -> list[Any]:
     if value is not None and not isinstance(value, list):
-        raise ValueError(f'{str(value)[:40]!r} is no list')
+        raise ValueError(f'{str(value)[:40]!r} is not a list')
     return value or []
 
 

@@ -78,7 +78,7 @@ bool is_in(const std::vector<std::string>& list, const std::string& topic) {
   return std::find(list.begin(), list.end(), topic) != list.end();
 }
 
-/// Throws std::regex_error, which is a std::runtime_error, for what is no regular expression.
+/// Throws std::regex_error, which is a std::runtime_error, for what is not a regular expression.
 std::function<bool(const std::string&)> wanted_by(const StorageFilter& filter) {
   const auto matcher = [](const std::string& text) -> std::optional<std::regex> {
     return text.empty() ? std::nullopt : std::optional<std::regex>(text);

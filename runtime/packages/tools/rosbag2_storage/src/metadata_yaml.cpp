@@ -159,7 +159,7 @@ const YamlNode& at(const YamlNode& node, const char* name) {
 const std::string& text_at(const YamlNode& node, const char* name) {
   const YamlNode& found = at(node, name);
   if (found.kind != YamlNode::Kind::scalar) {
-    refuse(std::string("'") + name + "' is no text");
+    refuse(std::string("'") + name + "' is not text");
   }
   return found.text;
 }
@@ -300,7 +300,7 @@ uint64_t to_whole(const YamlNode& node) {
   const uint64_t value = std::strtoull(begin + (is_negative ? 1 : 0), &end, 10);
   if (node.kind != YamlNode::Kind::scalar || !is_number(node.text.substr(is_negative ? 1 : 0)) ||
       errno != 0) {
-    refuse("'" + node.text.substr(0, 40) + "' is no whole number");
+    refuse("'" + node.text.substr(0, 40) + "' is not a whole number");
   }
   return is_negative ? 0 - value : value;
 }

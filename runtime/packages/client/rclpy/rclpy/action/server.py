@@ -56,7 +56,7 @@ class GoalEvent(Enum):
 
 
 _S = GoalStatus
-#: (state, event) -> state. What is not here is no transition.
+#: (state, event) -> state. What is not here is not a transition.
 TRANSITIONS = {
     (_S.STATUS_ACCEPTED, GoalEvent.EXECUTE): _S.STATUS_EXECUTING,
     (_S.STATUS_ACCEPTED, GoalEvent.CANCEL_GOAL): _S.STATUS_CANCELING,

@@ -100,8 +100,8 @@ class Pid {
   }
   void setGains(const Gains& gains) { set_gains(gains); }
 
-  /// For an error, and the time since the last one [s]; NaN for an error that is no number. Throws
-  /// std::invalid_argument for a time before the last one.
+  /// For an error, and the time since the last one [s]; NaN for an error that is not a number.
+  /// Throws std::invalid_argument for a time before the last one.
   [[nodiscard]] double compute_command(double error, const double& dt_s);
   [[nodiscard]] double compute_command(double error, double error_dot, const double& dt_s);
   [[nodiscard]] double compute_command(double error, const int64_t& dt_ns) {

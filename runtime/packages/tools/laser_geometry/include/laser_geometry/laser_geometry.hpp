@@ -23,7 +23,7 @@ enum ChannelOption {
 
 }  // namespace channel_option
 
-/// Ranges below the scan's least are left out, and those from `range_cutoff` on (negative: the
+/// Ranges below the scan's least are skipped, and those from `range_cutoff` on (negative: the
 /// scan's greatest).
 class LaserProjection {
  public:

@@ -25,7 +25,7 @@ struct Kinematics {
   std::map<std::string, urdf::JointMimic> mimic;
 };
 
-/// Throws std::runtime_error when the text is no description. Floating joints are left out: their
+/// Throws std::runtime_error when the text is not a description. Floating joints are skipped: their
 /// frames come from elsewhere.
 Kinematics read_kinematics(const std::string& urdf_xml);
 

@@ -53,7 +53,7 @@ std::string unpack_lz4(std::string_view frames, size_t size) {
   out.reserve(size);
   for (ByteReader from(frames); !from.at_end();) {
     if (from.number<uint32_t>() != kFrameMagic) {
-      throw Damaged("a chunk is no frame of LZ4");
+      throw Damaged("a chunk is not a frame of LZ4");
     }
     const auto flags = from.number<uint8_t>();
     if (flags >> 6 != 1 || (flags & 1) != 0) {

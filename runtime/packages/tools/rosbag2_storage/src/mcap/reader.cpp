@@ -71,7 +71,7 @@ Reader::Reader(const std::string& path) : file_(path, std::ios::binary) {
   const std::streamoff end = file_.tellg();
   size_ = end > 0 ? static_cast<uint64_t>(end) : 0;
   if (size_ < kMagic.size() || bytes_at(0, kMagic.size()) != kMagic) {
-    throw std::runtime_error("invalid magic bytes: \"" + path + "\" is no MCAP file");
+    throw std::runtime_error("invalid magic bytes: \"" + path + "\" is not a MCAP file");
   }
   try {
     read_summary();
@@ -361,7 +361,7 @@ void Reader::open(const ChunkPlace& chunk) {
     throw Damaged("a chunk lies elsewhere than its index says");
   }
   if (head_at(*record).size > kMostHeld - std::min(kMostHeld, held_bytes_)) {
-    throw Damaged("too many of its chunks lie over each other");
+    throw Damaged("too many of its chunks overlap");
   }
   Held held{records_of(*record), 0};
   each_record(held.records, [&](Kind kind, std::string_view content, size_t at) {

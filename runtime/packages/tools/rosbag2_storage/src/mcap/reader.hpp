@@ -42,7 +42,7 @@ struct ReadQuestion {
 
 class Reader {
  public:
-  /// Throws std::runtime_error for what is no MCAP file, and where nothing of one can be read.
+  /// Throws std::runtime_error for what is not a MCAP file, and where nothing of one can be read.
   explicit Reader(const std::string& path);
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -55,7 +55,7 @@ class Reader {
   [[nodiscard]] bool can_sort() const { return !chunks_.empty() || statistics_.messages == 0; }
   /// Why not all of it can be read; empty: it is whole, as far as its index says.
   [[nodiscard]] const std::string& damage() const { return damage_; }
-  /// Of that name, in the file's order; what cannot be read of them is left out.
+  /// Of that name, in the file's order; what cannot be read of them is skipped.
   [[nodiscard]] std::vector<Metadata> metadata(const std::string& name);
 
   /// What next() gives from now on, from its begin.

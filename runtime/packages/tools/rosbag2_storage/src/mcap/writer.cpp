@@ -25,7 +25,7 @@ uint16_t add(std::map<uint16_t, T>& all, T one) {
   if (all.size() >= kMostIds) {
     throw std::runtime_error("an MCAP file has no room for more topics");
   }
-  // 0 is no schema.
+  // 0 is not a schema.
   one.id = static_cast<uint16_t>(all.size() + 1);
   const uint16_t id = one.id;
   all.emplace(id, std::move(one));

@@ -10,7 +10,7 @@
 
 namespace ros2wasm_xml {
 
-/// A text that is no XML, with the line where it stops being so.
+/// A text that is not an XML, with the line where it stops being so.
 class XmlError : public std::runtime_error {
  public:
   XmlError(const std::string& what, std::size_t line)

@@ -17,7 +17,7 @@ W = 3
 def normalized(quaternions: Any) -> Any:
     norms = np.linalg.norm(quaternions, axis=1, keepdims=True)
     if np.any(norms == 0):
-        raise ValueError('a quaternion of zeros is no rotation')
+        raise ValueError('a quaternion of zeros is not a rotation')
     return quaternions / norms
 
 

@@ -235,7 +235,7 @@ class Rotation:
         if self._single:
             raise TypeError('a single rotation is not subscriptable')
         if not isinstance(value, Rotation):
-            raise TypeError(f'{type(value)!r} is no Rotation')
+            raise TypeError(f'{type(value)!r} is not a Rotation')
         self._quat[indexer] = value.as_quat()
 
     def __repr__(self) -> str:

@@ -12,7 +12,7 @@ class Slerp:
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
         if not isinstance(rotations, Rotation):
-            raise TypeError(f'{type(rotations)!r} is no Rotation')
+            raise TypeError(f'{type(rotations)!r} is not a Rotation')
         if rotations.single or len(rotations) < 2:
             raise ValueError('`rotations` are not two or more')
         self.times = np.asarray(times)

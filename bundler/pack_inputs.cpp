@@ -1,0 +1,286 @@
+// See pack_inputs.hpp.
+#include "bundler/pack_inputs.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "bundler/build/compiler_parts.hpp"
+#include "bundler/channel/channel_index.hpp"
+#include "bundler/channel/transport.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/languages/language.hpp"
+#include "bundler/notebook_files.hpp"
+#include "bundler/resolve/locked_solve.hpp"
+#include "bundler/workspace/bringup_file.hpp"
+#include "bundler/workspace/build_order.hpp"
+#include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/default_manifest.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/page_bags.hpp"
+#include "bundler/workspace/wheel_request.hpp"
+#include "bundler/workspace/workspace_channels.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/schema/manifest_reader.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kManifestName = "workspace.yaml";
+/// The author of `ros2wasm init paper`.
+constexpr std::string_view kNobody = "Your name";
+
+/// Step 1: read the manifest, or make one up for a folder that has none.
+Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
+  const fs::path input = request.input.empty() ? fs::path(".") : fs::path(request.input);
+  if (auto whole = absolute_path(input); !whole) return std::move(whole).errors();
+  std::error_code error;
+  fs::path file = input;
+  if (fs::is_directory(input, error)) {
+    file = input / kManifestName;
+    if (is_absent(file)) {
+      BuiltWorkspace made;
+      made.folder = fs::canonical(input, error);
+      made.shown_folder = input;
+      made.manifest = default_manifest(made.folder);
+      made.has_manifest = false;
+      made.remarks.push_back("there is no " + std::string(kManifestName) + " in " + input.string() +
+                             ", so all packages below it are taken");
+      return made;
+    }
+    file = file.lexically_normal();
+  }
+  const auto text = read_file(file, kMostOfText);
+  if (!text) return text.errors();
+  auto manifest = read_manifest(*text, file.string());
+  if (!manifest) return std::move(manifest).errors();
+  BuiltWorkspace workspace;
+  workspace.manifest = std::move(manifest).value();
+  workspace.folder = fs::canonical(file, error).parent_path();
+  workspace.shown_folder = file.parent_path();
+  workspace.warnings = workspace.manifest.warnings;
+  workspace.watched.push_back(fs::canonical(file, error));
+  return workspace;
+}
+
+/// R2W0125: an author that a template left to be filled in.
+std::optional<Diagnostic> placeholder_author(const Manifest& manifest) {
+  const auto found = std::find_if(manifest.authors.begin(), manifest.authors.end(),
+                                  [](const Author& author) { return author.name == kNobody; });
+  if (found == manifest.authors.end()) return std::nullopt;
+  return Diagnostic{.code = "R2W0125",
+                    .message = "`authors:` still has the template's `" + std::string(kNobody) + "`",
+                    .span = SourceSpan{.file = manifest.file, .line_text = {}},
+                    .why = {"the page, CITATION.cff and BibTeX entries would name that author"},
+                    .fix = {"authors:\n  - {name: Ada Lovelace}"}};
+}
+
+/// Without a manifest the launch file that starts the workspace says what runs, when one can be
+/// told from the others.
+void take_bringup(BuiltWorkspace& workspace, const std::vector<LocalPackage>& packages) {
+  std::vector<std::string> files;
+  for (const LocalPackage& package : packages)
+    for (const fs::path& file : package.launch_files)
+      files.push_back(file.lexically_relative(workspace.folder).generic_string());
+  const BringupChoice choice = bringup_file(files);
+  if (!choice.file.empty()) {
+    workspace.manifest.launch_file = Spanned<std::string>{
+        .value = choice.file, .span = {.file = workspace.folder.string(), .line_text = {}}};
+    workspace.remarks.push_back("it starts " + choice.file);
+  }
+  if (!choice.candidates.empty())
+    workspace.remarks.push_back("a workspace.yaml can start another launch file: " +
+                                name_list(choice.candidates, 12));
+}
+
+/// A new site takes the place of the old one, with all that lies in it. `channels`, or archives of
+/// theirs.
+std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
+                                             const std::vector<ChannelSource>& channels,
+                                             const fs::path& working_directory) {
+  if (request.output.empty() || request.with_channel || request.plan_only) return std::nullopt;
+  std::error_code error;
+  const fs::path site = fs::weakly_canonical(fs::absolute(request.output, error), error);
+  for (const ChannelSource& channel : channels) {
+    const auto folder = local_channel_folder(channel.name, working_directory);
+    if (!folder) continue;
+    const fs::path from_site = fs::weakly_canonical(*folder, error).lexically_relative(site);
+    if (from_site.empty() || *from_site.begin() == "..") continue;
+    return Diagnostic{
+        .code = "R2W0603",
+        .message = "the site at `" + request.output.string() +
+                   "` holds the channel that the workspace is packed from",
+        .span = channel.span,
+        .label = "inside the site",
+        .why = {"the new site takes the place of the old one, so the channel would be gone"},
+        .fix = {"add --with-channel, which puts the packages into the new site too",
+                "choose another place with -o"}};
+  }
+  return std::nullopt;
+}
+
+/// The packages of a lock in place of those of the channels, so that no channel is asked. `rest`
+/// becomes what else it says.
+Outcome<RepoIndex> locked_index(const fs::path& lock_file, LockRest& rest) {
+  auto lock = read_lock_file(lock_file);
+  if (!lock) return std::move(lock).errors();
+  rest = {.absent = std::move(lock->absent), .wheels = std::move(lock->wheels)};
+  std::vector<std::string> names;
+  for (const PackageRecord& record : lock->packages) names.push_back(record.name);
+  std::sort(names.begin(), names.end());
+  return RepoIndex{.channels = std::move(lock->channels),
+                   .records = std::move(lock->packages),
+                   .left_out = {},
+                   .names = [names = std::move(names)] { return names; },
+                   .elsewhere = {}};
+}
+
+/// A lock may lead where the manifest's channels do not.
+std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) {
+  std::vector<ChannelSource> places;
+  for (const PackageRecord& record : records) places.push_back({record.url, std::nullopt});
+  return places;
+}
+
+}  // namespace
+
+bool reads_setup_py(const LocalPackage& package) {
+  return package.xml.build_type == kPythonBuildType;
+}
+
+Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
+                      const ProgressSink& progress) {
+  const auto limits = extract_limits_of(request.archive_limits, request.variables);
+  if (!limits) return limits.errors();
+
+  // 1. the manifest
+  auto read = read_workspace(request);
+  if (!read) return std::move(read).errors();
+  BuiltWorkspace workspace = std::move(read).value();
+  const Manifest& manifest = workspace.manifest;
+  if (auto nobody = placeholder_author(manifest)) {
+    if (request.signer) return *std::move(nobody);
+    nobody->severity = Severity::kWarning;
+    workspace.warnings.push_back(*std::move(nobody));
+  }
+
+  const auto page = read_page_files(workspace.folder, manifest);
+  if (!page) return page.errors();  // told before anything is built
+  append(workspace.warnings, cut_bags(page->bags, manifest.ui_bags));
+
+  // 2. the packages of the workspace, and the order of building them
+  auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
+                                    ros_condition_variables(manifest.distro));
+  const auto notebook_needs = read_notebook(workspace);
+  if (!notebook_needs) return notebook_needs.errors();
+  if (!packages) return std::move(packages).errors();
+  if (!workspace.has_manifest) take_bringup(workspace, *packages);
+  for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
+  auto compiler = find_compiler(request.variables);
+  if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))
+    return std::move(compiler).errors();
+
+  // 3. what the channels have, and what is asked of them
+  begin_step(progress, "solve");
+  auto channels = workspace_channels(workspace.manifest, workspace.folder, request.executable,
+                                     request.variables);
+  if (!channels) return std::move(channels).errors();
+  auto& [roots, addresses] = *channels;
+  roots.network.offline = request.offline;
+  if (roots.embedded.empty() && manifest.channels.empty())
+    return embedded_channel(request.executable).errors();
+  if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
+  auto wheels = read_wheels(manifest, roots, *limits, true, cancellation);
+  if (!wheels) return std::move(wheels).errors();
+  drop_met_by_wheels(*wheels, manifest.distro, *packages);
+  for (const WheelEntry& wheel : manifest.wheels) {
+    if (!wheel.is_url) workspace.watched.push_back(workspace.folder / wheel.place.value);
+  }
+  auto order = order_packages(*packages, manifest.distro);
+  if (!order) return std::move(order).errors();
+  KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
+  std::vector<PackageRecord> packaged;  // for versions of the compiler
+  std::optional<OpenChannels> open;
+  Outcome<RepoIndex> index = RepoIndex();
+  if (request.frozen) {
+    LockRest rest;
+    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal(), rest);
+    if (!index) return std::move(index).errors();
+    known.absent = std::move(rest.absent);
+    if (auto faults = other_wheels(rest.wheels, locked_wheels(*wheels)); !faults.empty()) {
+      faults.back().fix.emplace_back("ros2wasm lock");
+      return faults;
+    }
+    known.names = index->names();
+    for (const PackageRecord& record : index->records)
+      if (record.name == kCompilerPackage) packaged.push_back(record);
+  } else {
+    auto opened = open_channels(addresses, roots, cancellation, progress);
+    if (!opened) return std::move(opened).errors();
+    open = std::move(*opened);
+    known.names = open->names();
+    const std::string compiler_package(kCompilerPackage);
+    const auto compilers =
+        open->reachable({&compiler_package, 1}, manifest.channel_priority, cancellation);
+    if (!compilers) return compilers.errors();
+    packaged = compilers->records;
+  }
+  compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
+  if (!compiler) return std::move(compiler).errors();
+  auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
+  Lacks lacks = packages_with_lacks(*packages, left_out, known, manifest.distro);
+  auto wanted =
+      channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
+  if (!wanted) return std::move(wanted).errors();
+  add_wheel_request(*wheels, known, manifest.distro, *wanted);
+  if (open) {
+    std::vector<std::string> texts;
+    for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
+    index = open->reachable(texts, manifest.channel_priority, cancellation);
+    if (!index) return std::move(index).errors();
+  } else if (auto faults = check_solution(wanted->specs, index->records); !faults.empty()) {
+    faults.back().fix.emplace_back("ros2wasm lock");
+    return faults;
+  }
+  append(workspace.warnings, wanted->warnings);
+  workspace.channel_names = known.names;
+  workspace.wheels = std::move(*wheels);
+  std::vector<std::string> all_packages = ros_names(known.names, manifest.distro);
+  return Question{.workspace = std::move(workspace),
+                  .packages = std::move(*packages),
+                  .order = std::move(*order),
+                  .left_out = std::move(left_out),
+                  .lacks = std::move(lacks),
+                  .absent = std::move(wanted->absent),
+                  .compiler = std::move(*compiler),
+                  .roots = std::move(roots),
+                  .limits = *limits,
+                  .index = std::move(*index),
+                  .all_packages = std::move(all_packages),
+                  .specs = std::move(wanted->specs)};
+}
+
+Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question,
+                                            const Cancellation& cancellation) {
+  const fs::path lock_file = question.workspace.folder / kLockFileName;
+  const LockRest rest{.absent = question.absent,
+                      .wheels = locked_wheels(question.workspace.wheels)};
+  auto solved = solve_with_lock(question.specs, rest, question.index, lock_file,
+                                question.workspace.manifest.channel_priority, request.locked, {},
+                                cancellation);
+  if (!solved) return std::move(solved).errors();
+  if (auto refusal =
+          refuse_own_channel(request, places_of(solved->packages), question.workspace.folder))
+    return *refusal;
+  if (!request.locked && !request.frozen && !request.plan_only && solved->lock_changed) {
+    if (auto written = write_file(lock_file, solved->lock_text); !written)
+      return std::move(written).errors();
+    question.workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
+                                         std::to_string(solved->packages.size()) + " packages)");
+  }
+  question.workspace.lock_text = std::move(solved->lock_text);
+  return std::move(solved->packages);
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,44 @@
+// ros2wasm.lock: the chosen packages, complete and sorted, as YAML with one form for one content.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workspace_schema/base/outcome.hpp"
+#include "workspace_schema/conda/package_record.hpp"
+
+namespace ros2wasm {
+
+/// A wheel that the manifest names.
+struct LockedWheel {
+  std::string project;  ///< normal_project_name()
+  std::string version;
+  std::string file;  ///< relative to the manifest; empty: from `url`
+  std::string url;
+  std::string sha256;
+  std::uint64_t size = 0;
+
+  bool operator==(const LockedWheel&) const = default;
+};
+
+struct Lock {
+  int schema = 1;
+  std::string platform = "emscripten-wasm32";
+  std::vector<std::string> channels;  ///< in the order of priority
+  std::vector<std::string> specs;     ///< what was asked for, sorted; for people, never for a check
+  /// The names that no channel had, sorted: packages that need one of these to be built are
+  /// skipped.
+  std::vector<std::string> absent;
+  std::vector<PackageRecord> packages;  ///< sorted by name
+  std::vector<LockedWheel> wheels;      ///< sorted by project
+};
+
+/// The text of a lock; the same for the same content.
+[[nodiscard]] std::string write_lock(const Lock& lock);
+
+/// R2W0310: not a lock, with line and column. `file` is for messages.
+[[nodiscard]] Outcome<Lock> read_lock(std::string_view text, const std::string& file);
+
+}  // namespace ros2wasm

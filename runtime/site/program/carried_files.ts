@@ -24,6 +24,11 @@ export function setPlaces(files: readonly SiteFile[]): void {
   page.ros2wasmPlaces = new Map(files.flatMap(({ path, at }) => (at === undefined ? [] : [[path, at]])));
 }
 
+/** Whether its address is another one than beside the page: in a store, or in parts. */
+export function isElsewhere(path: string): boolean {
+  return page.ros2wasmPlaces?.has(path) ?? false;
+}
+
 function encoded(path: string): string {
   return path.split('/').map(encodeURIComponent).join('/');
 }

@@ -6,6 +6,7 @@ import type { CarriedFiles } from '../program/carried_files.ts';
 import { importer, PageFiles } from '../program/page_files.ts';
 import { useChosenTheme } from './chosen_theme.ts';
 import { problemOf, problemText } from './model/problem.ts';
+import { followFileLinks } from './parts/file_links.ts';
 
 /** As binary files in elements that browsers do not run: base64 of what deflate made. */
 function packedFiles(): Map<string, string> {
@@ -17,25 +18,6 @@ function packedFiles(): Map<string, string> {
   return files;
 }
 
-/** A link to a file of the site gives the file. */
-function followLink(event: MouseEvent, files: PageFiles): void {
-  const link = event.composedPath().find((each) => each instanceof HTMLAnchorElement);
-  let path: string;
-  try {
-    path = decodeURIComponent(link?.getAttribute('href') ?? '');
-  } catch {
-    return;
-  }
-  if (link === undefined || !files.has(path)) return;
-  event.preventDefault();
-  void files.address(path).then((address) => {
-    const given = document.createElement('a');
-    given.href = address;
-    given.download = path.slice(path.lastIndexOf('/') + 1);
-    given.click();
-  });
-}
-
 async function start(): Promise<void> {
   const files = new PageFiles(packedFiles());
   await files.readList();
@@ -43,7 +25,7 @@ async function start(): Promise<void> {
     ros2wasmFiles: files satisfies CarriedFiles,
     [importer]: async (name: string): Promise<unknown> => import(await files.moduleAddress(name)),
   });
-  document.addEventListener('click', (event) => followLink(event, files));
+  followFileLinks(files);
   const sheet = document.createElement('link');
   sheet.rel = 'stylesheet';
   sheet.href = await files.address('styles.css');

@@ -3,6 +3,7 @@
 import { render } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { CommandLoader, Session } from '../contract/session.ts';
+import { addressOfSite, isElsewhere } from '../program/carried_files.ts';
 import { browserStore } from './model/preferences.ts';
 import type { Store } from './model/preferences.ts';
 import { readEmbed, wholeAddress } from './model/embed_link.ts';
@@ -34,6 +35,8 @@ export function mountPage(
   const { site } = started.value;
   document.title = `${site.title === '' ? site.name : site.title} \u2013 ${texts.product}`;
   render(<App session={started.value} kept={kept} store={browserStore()} />, root);
+  if (site.files.some(({ path }) => isElsewhere(path)))
+    void import('./parts/file_links.ts').then(({ followFileLinks }) => followFileLinks({ has: isElsewhere, address: addressOfSite }));
 }
 
 /** Loads the code that runs the commands of a launch file. */

@@ -54,7 +54,7 @@ def abi_record(compiler: Compiler) -> dict[str, Any]:
         "build_number": 0,
         "subdir": "noarch",
         "depends": [],
-        # Of its system libraries, which are in what it compiled: musl, Emscripten's own, those of LLVM.
+        # The licenses of its system libraries, which compiled programs contain: musl, Emscripten's own, LLVM's.
         "license": "MIT AND (MIT OR NCSA) AND Apache-2.0 WITH LLVM-exception",
         "summary": "Marks packages that Emscripten of this version has compiled.",
     }

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-# What a package needs when it is used, as opposed to when it is built.
+# The tags of dependencies that are needed to use a package, as opposed to building it.
 USE_TAGS = ("depend", "exec_depend", "build_export_depend", "buildtool_export_depend")
 BUILD_TAGS = ("depend", "build_depend", "buildtool_depend", "build_export_depend", "buildtool_export_depend")
 

@@ -54,7 +54,7 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
     environment.setdefault("NODE_PATH", "/usr/share/nodejs")
     for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH"):
         environment.pop(name, None)
-    # What the compiler's driver says is kept: it is not started for each source and each program.
+    # Caches the answers of the compiler's driver, so that it is not started for each source and program.
     environment["ROS2WASM_TOOL_CALLS"] = str(workshop.folder / "tool-calls")
     steps = [
         ["cmake", "-G", "Ninja", "-Wno-dev", "-S", str(package.folder), "-B", str(build),

@@ -21,17 +21,17 @@ const IMAGE_HZ = 15;
 const CLOUD = { hz: 10, points: 10_000 };
 const DEFAULT_MINUTES = 10;
 const FRAME_MS = 1000 / 60;
-/** Of its mean, over the second half; shorter runs than this only warm up. */
+/** Upper bound for the rise of memory over the second half, as a share of its mean; runs below LONG_MINUTES only warm up. */
 const MEMORY_RISE = 0.05;
 const LONG_MINUTES = 5;
 const WITH_3D = 'all panels';
 const SETTLING_MS = 10_000;
 const SAMPLES = 10;
-/** Of what is sent, at least this share has to be heard, or the page is quiet instead of busy. */
+/** At least this share of the sent messages must be received, or the page is quiet instead of busy. */
 const LEAST_HEARD = 0.95;
 const HEARD = /\{"came": (\d+), "clouds": (\d+)\}/g;
 
-/** With all that is looked at open at once; `without` leaves panels out, so that it is seen what they cost. */
+/** All panels open at once, and all but the 3D view, so that its cost is seen. */
 const LAYOUTS: Readonly<Record<string, unknown>> = {
   [WITH_3D]: {
     row: [
@@ -86,7 +86,7 @@ function rise(samples: readonly number[]): number {
   return rounded(across === 0 ? 0 : (up / across) * (half.length - 1) / mean);
 }
 
-/** What the listener heard in its newest whole second. */
+/** The messages that the listener received in its newest whole second. */
 async function heardPerSecond(page: Page): Promise<{ readonly numbers: number; readonly clouds: number }> {
   const text = await page.evaluate(() => document.body.textContent ?? '');
   const [, numbers, clouds] = [...text.matchAll(HEARD)].at(-1) ?? [];
@@ -110,7 +110,7 @@ const pictures = (page: Page): Promise<number> => page.evaluate(() => (globalThi
 const drawings = (page: Page): Promise<number> =>
   page.evaluate(() => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? 0));
 
-/** Of the 3D view, as a share of the screen's; null without one. */
+/** The resolution of the 3D view, as a share of the screen's; null without a 3D view. */
 const resolution = (page: Page): Promise<number | null> =>
   page.evaluate(() => {
     const canvas = document.querySelector<HTMLElement>('.scene-canvas');

@@ -17,7 +17,7 @@ const TOPICS_EACH = 10;
 const HZ = 10;
 const BYTES = 100;
 const SECONDS = 10;
-/** What a page must show beside the crowd, as a mean over the time and by its median frame. */
+/** The page must show so many frames beside the crowd, as a mean over the time and by its median frame. */
 const LEAST_FRAMES_PER_SECOND = 50;
 
 interface CrowdPage {

@@ -14,7 +14,7 @@ export interface CrowdOrder {
   readonly bytes: number;
 }
 
-/** What a node is told to do: `hz` messages per topic and second, 0 to be idle; Infinity: as fast as it can. */
+/** The task of a node: `hz` messages per second and topic, 0 to be idle; Infinity: as fast as it can. */
 export interface CrowdTask {
   readonly hz: number;
   readonly durationMs: number;
@@ -94,7 +94,7 @@ class Crowd {
     }
   }
 
-  /** What is still under way when all have stopped. */
+  /** Takes the messages that are still under way when all have stopped. */
   drain(): Promise<number> {
     return this.takeAll();
   }

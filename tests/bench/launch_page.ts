@@ -29,7 +29,7 @@ def generate_launch_description():
 `;
 
 interface Start {
-  /** Of the launch file alone; 0: it was not evaluated. */
+  /** Milliseconds for the launch file alone; 0: it was not evaluated. */
   readonly evaluated: number;
   readonly started: number;
 }

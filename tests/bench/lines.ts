@@ -1,5 +1,5 @@
-// What is left in a browser of the lines that a node logs, when the page has forgotten them: next to nothing. A worker that
-// is blocked all the time must not gather anything. And how a console of 100,000 lines scrolls (scroll.ts).
+// The memory that a browser still uses for lines of a node after the page has dropped them: next to nothing. A worker that
+// is blocked all the time must not collect anything. And how a console of 100,000 lines scrolls (scroll.ts).
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

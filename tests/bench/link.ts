@@ -74,7 +74,7 @@ export function peerIsThere(): boolean {
   return is;
 }
 
-/** What one ddsperf prints while another, the `other`, runs too. */
+/** The output of one ddsperf while another, the `other`, runs too. */
 async function ddsperf(other: readonly string[], own: readonly string[]): Promise<string> {
   const partner = spawn('ddsperf', ['-D', String(PEER_SECONDS + 4), ...other], { stdio: ['ignore', 'pipe', 'inherit'] });
   let printed = '';

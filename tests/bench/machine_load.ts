@@ -10,22 +10,22 @@ export function machineLoad(): number {
 /** Above this share of all processors, taken by processes of others, a missed aim is not a failure. */
 const QUIET_SHARE = 0.1;
 
-/** What the machine has done so far, in ticks. */
+/** The processor time that the machine has used so far, in ticks. */
 export interface Ticks {
   readonly all: number;
   /** Taken by other machines of the same host. */
   readonly stolen: number;
-  /** Of processes that are not ours, by their ids, with those that each has waited for. */
+  /** Ticks of processes that this bench did not start, by their ids; each includes the ended children that it waited for. */
   readonly others: ReadonlyMap<number, number>;
-  /** Of these: who has lost the one that started it. */
+  /** Those of `others` whose parent has ended. */
   readonly orphans: ReadonlySet<number>;
   /** This process and those that it started. */
   readonly ours: ReadonlySet<number>;
 }
 
 /**
- * Of all processors' time between two looks. What is ours is not asked: a browser's processes end without anybody who
- * waits for them, and their ticks are then nobody's.
+ * The share that others took of all processors' time between two looks. It is not the rest beside the bench's own time: a
+ * browser's processes end without a parent that waits for them, and their ticks are then counted for nobody.
  */
 export function othersShare(before: Ticks, after: Ticks): number {
   let others = after.stolen - before.stolen;
@@ -42,7 +42,7 @@ const INIT = 1;
 /** Parent of the kernel's threads, which work for whoever asks them: us, mostly. */
 const KERNEL = 2;
 
-/** Of a process, or undefined when it is the kernel's or has just ended. */
+/** The ticks of a process; undefined when it is the kernel's or has just ended. */
 function lookAt(pid: number): { readonly ticks: number; readonly orphan: boolean } | undefined {
   try {
     const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /s, '').split(' ').map(Number);
@@ -70,7 +70,7 @@ export function ticksNow(): Ticks {
   return { all: user + nice + system + idle + waiting + irq + soft + stolen, stolen, others, orphans, ours };
 }
 
-/** What others take of the machine from now on. */
+/** Measures the share of the machine that others take from now on. */
 export class OthersLoad {
   private readonly begin = ticksNow();
 

@@ -1,4 +1,4 @@
-// What a visitor of example 03 waits for, as Lighthouse has it: requests, bytes, first and largest contentful paint, time to
+// How long a visitor of example 03 waits, measured as by Lighthouse: requests, bytes, first and largest contentful paint, time to
 // interactive (the end of the last long task before the first 500 ms without one, after the first paint), total blocking
 // time in between, and how soon a button acts after that; cold (new profile) and warm (reload), with the processor as it
 // is and slowed down four times. The peer is the limit: a bare page that fetches as many files of the same sizes.
@@ -28,7 +28,7 @@ type Figures = Record<(typeof FIGURES)[number], number>;
 interface Kind {
   readonly server: StaticServer;
   readonly folder: string;
-  /** Of the element that says that all is there. */
+  /** The selector of the element that shows that everything is there. */
   readonly ready: string;
   /** Words of a button that acts: then it looks different. */
   readonly button: string;

@@ -3,7 +3,7 @@
 
 import { parse, stringify } from 'yaml';
 
-/** What a node does: send and wait for the answer `trips` times, answer, send at a rate, or count what comes. */
+/** The task of a node: send and wait for the answer `trips` times, answer, send at a rate, or count the messages that come. */
 export type PaperTask =
   | { readonly does: 'ping'; readonly bytes: number; readonly trips: number }
   | { readonly does: 'pong' }
@@ -14,7 +14,7 @@ export type PaperTask =
 export type PaperReport =
   | { readonly command: 'publish'; readonly topic: string; readonly message: string }
   | { readonly command: 'retrieve'; readonly topic: string }
-  /** Of `ping`: how long each trip took, in ms. Of `count`: when each message came. */
+  /** For `ping`, how long each trip took, in ms. For `count`, when each message came. */
   | { readonly command: 'done'; readonly ms: readonly number[] };
 
 /** From the page to every worker. */
@@ -29,7 +29,7 @@ interface Bytes {
 }
 
 const pollMs = 10;
-/** What every rclcpp node of then has beside the user's topics; its executor takes all of them for ready at any time. */
+/** The topics that every rclcpp node of that time has in addition to the user's; its executor always treats them as ready. */
 const ownTopics = [
   'describe_parameters', 'get_parameter_types', 'get_parameters', 'list_parameters', 'set_parameters', 'set_parameters_atomically',
   'parameter_events',

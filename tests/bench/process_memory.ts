@@ -38,7 +38,7 @@ export function treeMemoryKb(root: number): number {
   return processTree(root).reduce((sum, pid) => sum + memoryKb(pid, 'Pss'), 0);
 }
 
-/** What `root` and its descendants have written and share with nobody, in kB: other browsers on the machine do not change it. */
+/** The memory that only `root` and its descendants have written, shared with nobody, in kB: other browsers do not change it. */
 export function treePrivateKb(root: number): number {
   return processTree(root).reduce((sum, pid) => sum + memoryKb(pid, 'Private_Dirty'), 0);
 }

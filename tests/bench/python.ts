@@ -1,4 +1,4 @@
-// What Python nodes cost: from opening a page to the first node, when the browser has nothing, when it has kept the image
+// The cost of Python nodes: from opening a page to the first node, when the browser has nothing, when it has cached the image
 // of an interpreter, and by a plain boot of Pyodide (the peer); to the first message of a talker to a listener; memory of a further node;
 // a message between entities of a node, and between nodes (Python's, and of C++ to Python); bytes of a site; serialised messages a second.
 import { spawn, spawnSync } from 'node:child_process';
@@ -37,7 +37,7 @@ const MEMORY_AIM_KB = 60_000;
 const FURTHER_AIM_MS = 250;
 /** Serialised messages of some ten bytes, a second. */
 const CDR_AIM = 100_000;
-/** Of an image of 921,600 bytes: a loop over them in Python would take a hundred times as long. */
+/** For an image of 921,600 bytes: a loop over them in Python would take a hundred times as long. */
 const IMAGE_AIM_US = 500;
 /** A page has come to rest. */
 const REST_MS = 1000;
@@ -180,7 +180,7 @@ async function firstLine(context: BenchContext, site: string, line: string): Pro
   throw new Error(`the run ends before the line "${line}"`);
 }
 
-/** What is written and shared with nobody, when it has come to rest. */
+/** The memory that is written and shared with nobody, in kB, when it no longer changes. */
 async function settledKb(pid: number): Promise<number> {
   let last = treePrivateKb(pid);
   for (let look = 0; look < 20; look += 1) {

@@ -1,4 +1,4 @@
-// What reads and writes CDR for Python best: Python text compiled for each type (ros2wasm/codec.py, ours), or JavaScript,
+// Compares ways to read and write CDR for Python: Python text compiled for each type (ros2wasm/codec.py), or JavaScript,
 // whose objects become Python's. One interpreter, one message. Also: only to make the message, which a C extension has to do too.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';

@@ -1,7 +1,7 @@
-// Ratios of our figures to a peer's, landing by landing (ratios.json), and what may not happen from one to the next.
+// Ratios of the figures of ros2wasm to a peer's, landing by landing (ratios.json), and the check that they do not get worse.
 
 export interface Ratio {
-  /** What was measured, where and beside what. */
+  /** The figure, the place where it was measured, and the load beside it. */
   readonly line: string;
   /** Ours divided by the peer's: of all runs the middle one and the worst. */
   readonly median: number;
@@ -26,7 +26,7 @@ function worseBy(line: string, before: number, now: number): number {
   return line.startsWith('throughput') ? before / now : now / before;
 }
 
-/** What the newest landing made worse than the best one before it, a sentence for each line. */
+/** The lines that the newest landing made worse than an earlier one, a sentence for each pair. */
 export function regressions(entries: readonly RatioEntry[]): readonly string[] {
   const newest = entries.at(-1);
   if (newest === undefined) return [];

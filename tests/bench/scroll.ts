@@ -15,7 +15,7 @@ import type { BenchContext } from './run.ts';
 
 const LINES = 100_000;
 const MS = 6000;
-/** What a fast wheel moves in a frame, and as often all the way to another place, as the bar does. */
+/** Pixels that a fast wheel moves in a frame; each JUMP_EVERY frames it jumps to another place, as with the scroll bar. */
 const STEP_PX = 240;
 const JUMP_EVERY = 60;
 

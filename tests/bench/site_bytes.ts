@@ -7,7 +7,7 @@ import { join, relative } from 'node:path';
 import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 import type { BenchContext } from './run.ts';
 
-/** What the first C++ node of most people weighs at most, compressed with gzip: bytes. */
+/** Upper bound for the first C++ node of most people, compressed with gzip: bytes. */
 const AIMS: Readonly<Record<string, number>> = { 'programs/tutorial_talker/talker.wasm': 150_000 };
 
 export function packedExample(context: BenchContext, folder: string, example = '01_talker_listener'): string {

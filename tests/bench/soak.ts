@@ -24,7 +24,7 @@ const DEFAULT_MINUTES = 60;
 /** Samples that a soak has at least. */
 const LEAST_SAMPLES = 12;
 
-/** What the page notes for us; put there before its own scripts run. */
+/** The data that the page records for this bench; set up before the page's own scripts run. */
 interface Noted {
   reports: SoakReport[];
   frames: number[];
@@ -108,7 +108,7 @@ async function soak(context: BenchContext, page: Page, pid: number, minutes: num
       bench: 'soak', what: 'sample', ...sample, frames: gaps.length, frame_p50_ms: at(0.5), frame_p99_ms: at(0.99),
       frame_longest_ms: rounded(gaps.at(-1) ?? Number.NaN), machine_load: machineLoad(),
     });
-    // What the sample itself held up is not counted.
+    // Frames that the sample itself delayed are not counted.
     await page.evaluate(() => {
       (globalThis as unknown as { noted: Noted }).noted.frames = [];
     });

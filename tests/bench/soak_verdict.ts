@@ -77,7 +77,7 @@ function rise(values: readonly number[]): number {
   return (up / over) * (values.length - 1) / mean(values);
 }
 
-/** What the lines of one sample say of each stream; a node's periods may end twice in one sample. */
+/** Combines the lines of one sample for each stream; a node's periods may end twice in one sample. */
 export function gather(reports: readonly SoakReport[], streams: readonly SoakStream[]): StreamSample[] {
   return streams.map(({ soak }) => {
     const mine = reports.filter((report) => report.soak === soak);

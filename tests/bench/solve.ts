@@ -63,7 +63,7 @@ function output(program: string, words: readonly string[], environment: NodeJS.P
   return run.stdout;
 }
 
-/** What stands on both sides of each ratio, so that no figure is read for more than it is. */
+/** Both sides of each ratio, printed so that no figure is taken for more than it is. */
 const COMPARED = {
   parse: 'the whole process with an empty cache, one package that needs nothing | the whole process of Node.js, the same',
   first: 'the whole process with an empty cache | the whole process of Node.js',

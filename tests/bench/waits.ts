@@ -37,7 +37,7 @@ async function beside<T>(state: State, act: () => Promise<T>): Promise<T> {
   }
 }
 
-/** What one kind of figure is made of. */
+/** How one kind of figure is measured. */
 interface Figure {
   readonly what: 'round trip' | 'throughput';
   readonly unit: 'us' | 'messages/s';

@@ -40,7 +40,7 @@ class LinkScripts(ChannelCase):
         self.assertIn("did not run bin/.fonts-post-link.sh of fonts", done.stderr)
         self.assertTrue((self.folder / "site/site.json").exists())
         self.assertFalse((self.folder / "it-was-run").exists())
-        # What is in the cache by now changes nothing for a workspace that does not name it.
+        # The package is cached by now; that changes nothing for a workspace that does not name it.
         self.write_manifest("ignore_link_scripts: [other]\n")
         self.fail_with("R2W0227", "pack")
 

@@ -130,7 +130,7 @@ class TarForms(ChannelCase):
         self.assertEqual(binary[2:].split(b"\0")[0], f"{prefix}/lib:{prefix}/bin".encode())
         self.assertTrue(binary.endswith(b"\0tail\0"))
         self.assertEqual((prefix / "share/link").readlink(), Path("demo/package.xml"))
-        # What needs no prefix is the store's own file, and the store keeps the archive's bytes.
+        # A file without a prefix inside is a link to the store's file; the store has the archive's bytes.
         package, = (self.folder / "cache/ros2wasm/packages").glob("??/*[0-9a-f]")
         self.assertTrue((prefix / LONG).samefile(package / LONG))
         self.assertEqual((package / "lib/demo.bin").read_bytes(), FILES["lib/demo.bin"])

@@ -1,5 +1,5 @@
-// What a site makes of launch.json: node evaluate_in_site.ts EVALUATOR LAUNCH_JSON SHARED [NAME:=VALUE ...]
-// SHARED: the folder that has the site's share/ in it. Prints what `ros2wasm launch --json` prints.
+// Evaluates launch.json as a site does: node evaluate_in_site.ts EVALUATOR LAUNCH_JSON SHARED [NAME:=VALUE ...]
+// SHARED: the folder that has the site's share/ in it. The output has the form of `ros2wasm launch --json`.
 
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';

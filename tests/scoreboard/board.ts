@@ -3,7 +3,7 @@ import type { Failure } from './site.ts';
 
 export interface Row {
   readonly package: string;
-  /** Of a launch file, its place in share/package/. */
+  /** The executable's name; for a launch file its path in share/package/. */
   readonly executable: string;
   readonly language: 'cpp' | 'python';
   /** `package`: it was not built, and nothing says which executables and launch files it has. */
@@ -20,7 +20,7 @@ export interface Row {
 }
 
 const KEPT_LINES = 40;
-/** Of each node: parameter services, parameter events, logging, its type descriptions. */
+/** Matches the endpoints that each node has: parameter services, parameter events, logging, its type descriptions. */
 const OF_EVERY_NODE = /^publisher \/(rosout|parameter_events) |^subscription \/parameter_events |\/(describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters|set_parameters_atomically|get_type_description) /;
 
 export function keptLines(lines: readonly string[]): string[] {

@@ -1,5 +1,5 @@
-// What an executable or a launch file must show to be green: one entry of a YAML file (README.md has the form). Whatever an
-// entry misspells is an error, since a key that silently does nothing would make a row green too easily.
+// The conditions for a green executable or launch file: one entry of a YAML file (README.md has the form). An unknown key in an
+// entry is an error, since a key that silently does nothing would make a row green too easily.
 import { readFileSync } from 'node:fs';
 import { parse } from 'yaml';
 

@@ -1,7 +1,7 @@
-// Holds what was seen of an executable against what its expectation says. Pure.
+// Compares the observations of an executable with its expectation. Pure.
 import type { Expectation, Start } from './expectation.ts';
 
-/** What one node of the site did. */
+/** The output and the end of one node of the site. */
 export interface SeenNode {
   /** Its output, each line whole. */
   readonly lines: readonly string[];
@@ -24,7 +24,7 @@ export interface Seen {
 export interface Verdict {
   /** Nothing more can make it better or worse. */
   readonly final: boolean;
-  /** What is not as expected yet; empty: it is as expected. */
+  /** The differences from the expectation; empty: it is as expected. */
   readonly missing: readonly string[];
 }
 

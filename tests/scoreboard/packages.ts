@@ -24,7 +24,7 @@ export function findPackages(roots: readonly string[]): ReadonlyMap<string, Pack
   return new Map(named.sort(([a], [b]) => (a < b ? -1 : 1)));
 }
 
-/** Of `all`, those that Python sources and launch files of a package name: in a workspace that is built whole they are there. */
+/** The packages in `all` that Python sources and launch files of a package name: a workspace that is built as a whole has them. */
 function mentioned(folder: string, all: ReadonlyMap<string, Package>): string[] {
   const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((path) => /(?:\.py|[._]launch\.(?:xml|ya?ml)|\.launch)$/.test(path));
   const words = files.flatMap((path) => readFileSync(join(folder, path), 'utf8').match(/[a-z][a-z0-9_]*/g) ?? []);

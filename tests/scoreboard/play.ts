@@ -12,13 +12,13 @@ import type { Expectation } from './expectation.ts';
 import { judge, type Seen, type SeenNode, type Verdict } from './judge.ts';
 
 export interface Asked {
-  /** Of an executable, the first node of the site is looked at, and what stands beside it. */
+  /** For an executable, the first node of the site is watched, and the nodes that run beside it. */
   readonly kind: 'executable' | 'launch';
   readonly expected: Expectation | undefined;
 }
 
 export interface Played {
-  /** Of a launch file, all its nodes as one; its lines have the nodes' names before them. */
+  /** For a launch file, all its nodes as one; each line begins with the node's name. */
   readonly node: SeenNode;
   /** Those that it made. */
   readonly endpoints: readonly string[];
@@ -29,10 +29,10 @@ export interface Played {
 const LOOK_MS = 40;
 /** How long a program is watched that nobody expects anything of. */
 const UNEXPECTED_SECONDS = 3;
-/** What each Python node may take to start, on a busy machine too. */
+/** Upper bound for the start of each Python node, on a busy machine too. */
 const PYTHON_START_SECONDS = 30;
 
-/** Of `ros2`, as launch files start them; what they record is nobody's. */
+/** The commands of `ros2` that launch files start; their recordings are dropped. */
 const COMMANDS = launchedCommands({
   readText: () => Promise.resolve(undefined),
   bags: { open: () => Promise.resolve(undefined), create: () => Promise.resolve({ write: () => undefined, end: () => undefined }) },
@@ -147,7 +147,7 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
       look();
       stopWhoSaidSo();
       verdict = expected === undefined ? undefined : judge(expected, seen);
-      // Of a launch file, one node may have said all while another starts.
+      // In a launch file, one node may have printed everything while another still starts.
       if (verdict?.final === true && (seen.node.started || verdict.missing.length > 0)) break;
       if (expected !== undefined) continue;
       if (over(seen.node)) break;

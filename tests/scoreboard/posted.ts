@@ -1,4 +1,4 @@
-// What is to be played, as text, for a page. Pure.
+// Writes the request to play a site as text, for a page. Pure.
 import type { Asked } from './play.ts';
 
 export function posted(asked: Asked): string {

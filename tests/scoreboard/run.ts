@@ -18,7 +18,7 @@ const PLAYED_AT_ONCE = 3;
 const CONTAINERS = ['component_container', 'component_container_mt', 'component_container_isolated'];
 const root = resolve(import.meta.dirname, '../..');
 
-/** Of the command line; ends with the usage. */
+/** An error in the command line; the usage is printed after it. */
 class Misused extends Error {}
 
 interface Board {
@@ -126,7 +126,7 @@ async function main(): Promise<number> {
   const files = [...readdirSync(shipped).filter((name) => name.endsWith('.yaml')).sort().map((name) => join(shipped, name)), ...options.expect];
   const chosen = findPackages([resolve(options.folder)]);
   if (chosen.size === 0) throw new Misused(`there is no package.xml below ${options.folder}`);
-  // What runs beside an executable may be one of our own programs.
+  // The programs that run beside an executable may be from tests/packages.
   const packages = findPackages([resolve(options.folder), join(root, 'tests/packages')]);
   const wanted = (key: string): boolean => options.only === undefined || options.only.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
   const work = mkdtempSync(join(tmpdir(), 'ros2wasm-scoreboard-'));

@@ -7,7 +7,7 @@ import type { Expectation } from './expectation.ts';
 import { closure, type Package } from './packages.ts';
 
 export interface Failure {
-  /** Of ros2wasm, or a word of the board's own: `unmet`, `absent`. */
+  /** A code of ros2wasm, or a word of the board: `unmet`, `absent`. */
   readonly code: string;
   readonly reason: string;
 }
@@ -150,11 +150,11 @@ function isScript(file: string): boolean {
   return stat.isFile() && (stat.mode & 0o111) !== 0 && /^#!.*python/.test(readFileSync(file, 'utf8'));
 }
 
-/** Of the events that `--json` writes to stderr. */
+/** The first error among the events that `--json` writes to stderr. */
 export function firstError(messages: string): Failure | undefined {
   for (const event of findings(messages)) {
     if (event.severity === 'warning') continue;
-    // CMake's last line is no reason.
+    // The last line of CMake's output does not contain the reason.
     const detail = event.code === 'R2W0503' ? undefined : event.detail?.split('\n').find((text) => text.includes('error'));
     return { code: event.code, reason: [(event.message ?? '') + placeOf(event), ...(detail === undefined ? [] : [detail])].join(': ') };
   }

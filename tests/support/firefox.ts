@@ -82,7 +82,7 @@ export class Firefox {
     await this.send('browsingContext.navigate', { context: this.context, url, wait: 'complete' });
   }
 
-  /** What an expression is in the page: a text, a number or a truth value. */
+  /** The value of an expression in the page: a text, a number or a boolean. */
   async evaluate(expression: string): Promise<unknown> {
     const target = { context: this.context };
     const found = await this.send('script.evaluate', { expression, target, awaitPromise: true }) as Evaluated;

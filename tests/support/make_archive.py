@@ -18,7 +18,7 @@ def main(arguments: list[str]) -> None:
         for pair in pairs:
             source, place = pair.split('=')
             for file in sorted(Path(source).rglob('*')):
-                # What Python here has left beside sources holds for no other Python.
+                # Modules that the local Python compiled beside the sources are skipped: they fit no other Python.
                 if file.is_file() and (file.suffix != '.pyc' or file.read_bytes()[4:8] == CHECKED_BY_HASH):
                     info = zipfile.ZipInfo(f'{place}/{file.relative_to(source)}', WHEN)
                     archive.writestr(info, file.read_bytes())

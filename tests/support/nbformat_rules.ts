@@ -1,4 +1,4 @@
-// What the schema of nbformat 4 asks of a notebook, by hand: neither npm nor Debian's own packages have the schema.
+// The rules of the schema of nbformat 4, written by hand: neither npm nor Debian's own packages have the schema.
 
 type Rule = (value: unknown, minor: number) => readonly string[];
 type Members = Readonly<Record<string, unknown>>;
@@ -59,7 +59,7 @@ const cell: Rule = (value, minor) => {
     : members(value, minor, wanted, minor >= 1 ? { attachments } : {});
 };
 
-/** What is wrong with it, each with its place. */
+/** The faults of a notebook, each with its place. */
 export function nbformatFaults(notebook: unknown): readonly string[] {
   const minor = isObject(notebook) && Number.isInteger(notebook['nbformat_minor']) ? notebook['nbformat_minor'] as number : -1;
   if (minor < 0) return ['.nbformat_minor is not a count'];

@@ -24,7 +24,7 @@ export interface PythonNode {
 
 const library = join(root, 'runtime/packages/vendor/pyodide');
 
-/** What `make` writes there, made once of these files. Tests run side by side: whoever is last puts the same bytes there. */
+/** The path of the output of `make`, made once for these sources. Tests that run at the same time write the same bytes. */
 function madeOnce(name: string, sources: readonly string[], make: (place: string) => void): string {
   const hash = createHash('sha256');
   for (const file of [join(pyodide, 'package.json'), ...sources]) hash.update(file.slice(root.length)).update('\0').update(readFileSync(file));
@@ -48,7 +48,7 @@ export function compiledStdlib(): string {
   return madeOnce('stdlib', [script, join(library, 'compiler.mjs')], (place) => void execFileSync(process.execPath, [script, pyodide, place]));
 }
 
-/** What rclpy's package has beside its sources. */
+/** The compiled modules that rclpy's package has beside its sources. */
 function compiledModules(packages: readonly string[]): string {
   const script = join(library, 'compile_modules.mjs');
   const sources = packages.flatMap((folder) => readdirSync(folder, { recursive: true, encoding: 'utf8' })

@@ -32,7 +32,7 @@ KINDS = [kind for kinds in PAGES.values() for kind in kinds]
 # These speak of claims; and what a fuzzer made is not a test's word.
 NO_CLAIMS = ("tests/tools/claims.py", "tests/unit/tools/claims_test.py")
 MADE_INPUT = "tests/fuzz/corpus/"
-# What begins a comment and then reads like a claim, in whatever form: it must be one that is read.
+# A comment that begins like a claim, in any form: it must be in a form that is read.
 LIKE_CLAIM = re.compile(
     r"^\s*(?://+|#+|/?\*+|--|<!--|\"\"\")!?\s*(?:compatibility|guarantee|works|differs|cannot)\s*[,:]", re.I)
 # Files in which claims are read; "" are those without an ending, as scripts of Python packages.
@@ -40,7 +40,7 @@ ENDINGS = (".ts", ".cpp", ".py", ".yaml", ".golden", ".txt", "")
 # Kinds whose rows have two cells before the tests, and the heads of these.
 TWO_CELLS = {"differs": "| what | how, and why |", "cannot": "| what | said by, and what can be done |"}
 CODE = re.compile(r"\bR2W\d{4}\b")
-# What run_tests.py runs: a file is a test of a suite when it has one of these names below one of these folders.
+# The suites of run_tests.py: a file is a test of a suite when it has one of these names below one of these folders.
 SUITES = (
     ("tests/golden/", ".golden"), ("tests/e2e/", ".test.ts"), ("tests/unit/", ".test.ts"),
     ("tests/conformance/", ".test.ts"), ("tests/", "_test.py"), ("tests/", "_test.cpp"),

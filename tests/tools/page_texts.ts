@@ -19,7 +19,7 @@ function isWords(text: string): boolean {
 
 /** Three words one after the other that are no names, as keys of RViz's files are: `Min Color Value`. */
 const kSentence = /(?<![\p{L}\p{N}-])\p{L}{2,} \p{Ll}{2,} \p{Ll}{2,}(?![\p{L}\p{N}-])/u;
-/** What patch wants to read, and what Python prints. */
+/** Texts that are not from ros2wasm: one that `patch` must read, one that Python prints. */
 const kNotOurs = new Set(['\\ No newline at end of file', 'Traceback (most recent call last)']);
 
 type Tree = Readonly<Record<string, unknown>>;
@@ -74,7 +74,7 @@ export function sentencesIn(text: string): readonly string[] {
 export function wordsIn(text: string): readonly string[] {
   const found: string[] = [];
   const visit = (node: Tree): void => {
-    // What JSX has become.
+    // A JSX element after esbuild has transformed it.
     if (node['type'] === 'CallExpression' && trees(node['callee']).some(({ name }) => name === 'jsx' || name === 'jsxs'))
       for (const { key, value } of trees(trees(node['arguments'])[1]?.['properties']))
         if (trees(key).some(({ name, value: quoted }) => kRead.has(String(name ?? quoted)))) found.push(...literals(value).filter(isWords));

@@ -49,9 +49,7 @@ class DiagnosticCode {
   }
   friend constexpr bool operator==(DiagnosticCode a, const char* b) { return a.text_ == b; }
   friend constexpr bool operator==(DiagnosticCode a, std::string_view b) { return a.text_ == b; }
-  friend constexpr auto operator<=>(DiagnosticCode a, DiagnosticCode b) {
-    return a.text_ <=> b.text_;
-  }
+  friend constexpr bool operator<(DiagnosticCode a, DiagnosticCode b) { return a.text_ < b.text_; }
 
   friend std::string operator+(std::string before, DiagnosticCode code) {
     return before.append(code.text_);

@@ -34,7 +34,7 @@ function workshop(): string {
 const HERE = dirname(fileURLToPath(import.meta.url));
 const files = [...interfaceFiles(), ...interfaceFiles(HERE, ['edge_interfaces'])];
 const schemas = schemasOf(files);
-// What has a wstring inside is compared with our own encoder only: the npm packages refuse it.
+// A type with a wstring inside is compared with the encoder of ros2wasm only: the npm packages refuse it.
 const hasWideText = (type: string): boolean =>
   definitionsFor(schemas, type).some((one) => one.definitions.some((field) => field.type === 'wstring'));
 

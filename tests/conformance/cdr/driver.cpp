@@ -12,7 +12,7 @@
 
 namespace {
 
-// What the type support allocates while it reads: hostile counts must not ask for much.
+// Bytes that the type support allocates while it reads: hostile counts must not ask for much.
 size_t allocated_bytes = 0;
 
 }  // namespace

@@ -28,7 +28,7 @@ class Random {
   uint64_t state_;
 };
 
-/// What can be done with a value of some type. `bound` is that of the string type, 0 for none.
+/// The operations on a value of some type. `bound` is that of the string type, 0 for none.
 struct Operations {
   void (*fill)(void* value, Random& random, size_t bound);
   void (*print)(const void* value, std::string& json);

@@ -15,7 +15,7 @@ import { isPrimitive, parseInterface, typeParts } from './definition_parser.ts';
 import type { Section } from './definition_parser.ts';
 import { REPOSITORY, interfaceFiles } from './interface_files.ts';
 
-// Of definitions in normal form, taken once from facts about upstream's packages.
+// Digests of definitions in normal form, taken once from facts about upstream's packages.
 const DIGESTS = {
   'ROS 2': { count: 232, digest: 'ae2a3406ffbcb41bb421b65b0342f7845a2cb7ce64191ed32d63ee7bcac64a20' },
   'packages that many use with it': { count: 398, digest: '4b12e821efa58956af6b2c37749dfa36f08b5706f773f0c50a8a3b43e8e98ff7' },

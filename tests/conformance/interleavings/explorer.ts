@@ -7,7 +7,7 @@ import type { Process, Stepper } from './stepper.ts';
 export interface Run {
   readonly memory: WebAssembly.Memory;
   readonly processes: Process[];
-  /** Who may die, and who then comes to life (the broker, clearing up); indices of processes. */
+  /** From a process that may die to the process that starts then (the broker, clearing up); indices of processes. */
   readonly mortal: ReadonlyMap<number, number>;
   /** Goes on alone, before all others, until it is about to store to the word. */
   readonly lead: { readonly process: number; readonly word: number } | undefined;
@@ -113,7 +113,7 @@ class Execution {
       low = (Math.imul(low, 0x01000193) ^ here ^ (here >>> 11)) | 0;
     }
     const bounded = this.limits.interruptions === undefined ? 0 : this.interruptions;
-    // Who moved last decides who may die and who is interrupted.
+    // The process that moved last is part of the state: it decides which may die and which is interrupted.
     high = Math.imul(high, 33) + this.last * 7 + bounded * 64 + this.deaths * 1024 | 0;
     return (high >>> 0) * 2 ** 21 + ((low >>> 0) & 0x1fffff);
   }

@@ -1,4 +1,4 @@
-// What the processes of a scene do, as programs do it: calls of a link, one after another. This file is stepped too,
+// The code of the processes of a scene, written as in programs: calls of a link, one after another. This file is stepped too,
 // so that each function here becomes one that pauses wherever the runtime reaches shared memory.
 
 import { ErrorCode, SampleInfoLayout } from '../../../runtime/protocol/generated/constants.ts';
@@ -10,7 +10,7 @@ import { SharedLink } from '../../../runtime/site/bus/shared_link.ts';
 
 export { Bus, createBus, Sampler, SharedBroker, SharedLink };
 
-/** What a program has in hand: a link of its own and memory. */
+/** The link and the memory of a program. */
 export interface Hands {
   readonly link: SharedLink;
   readonly heap: Heap;

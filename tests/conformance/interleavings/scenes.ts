@@ -350,7 +350,7 @@ export const scenes: readonly ExploredScene[] = [
       const [one, two] = [world.publisher(a, {}, '/a'), world.publisher(b, {}, '/b')];
       const [first, second] = [world.subscription(c, {}, '/a'), world.subscription(c, {}, '/b')];
       const { publish, takeOne } = laboratory.code;
-      // Of the 76 pages that there are at first; the memory grows by 16 at a time.
+      // 76 pages are there at first; the memory grows by 16 at a time.
       const rest = world.occupy(72);
       const written = [world.log<number>(), world.log<number>()];
       world.process('writer a', () => publish(a, one, numbered(1, 1, 5000), written[0]!));
@@ -441,7 +441,7 @@ function appearing(
   world.leads(reader, world.broker.bus.endpointWord(1) + BusEndpoint.state);
   world.finally(() => {
     ordered(received, 'received');
-    // What was begun after the reader was there is owed to it.
+    // The reader must receive each message whose write began after the reader was there.
     const first = before + (promised[0] ?? more) + 2;
     const got = new Set(received.map((sample) => sample.sequence));
     for (let sequence = first; sequence <= before + more; sequence += 1) {

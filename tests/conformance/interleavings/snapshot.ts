@@ -1,4 +1,4 @@
-// What objects held at one moment, and putting it back into the same objects: far quicker than to make them anew.
+// Saves the content of objects and restores it into the same objects: far quicker than to create them again.
 
 type Saved = () => void;
 

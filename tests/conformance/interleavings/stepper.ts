@@ -1,4 +1,4 @@
-// What stepped code (stepped_code.ts) runs on: processes that yield before they touch a word that others touch too,
+// Runs stepped code (stepped_code.ts): processes that yield before they touch a word that others touch too,
 // and a memory whose every change goes into a hash. Single-threaded, so that a run is exactly its list of choices.
 
 const wasmPage = 1 << 16;
@@ -180,7 +180,7 @@ export class Stepper {
     const changes = (operation >= this.store && operation <= this.exchange) || operation === this.put || operation === this.resize || operation === this.or;
     this.accesses.note(word, process.index, changes);
     if (this.accesses.contended[word] === 0) return false;
-    // Of a frame's plain words one in a line is enough: whoever tears a frame tears it there as well.
+    // For the plain words of a frame, one in each line of 16 words is enough: a torn frame is torn there as well.
     if (operation === this.get || operation === this.put) return (word & 15) === 0;
     return true;
   }
@@ -260,7 +260,7 @@ export class Stepper {
     this.accesses.note(at, process.index, false);
     yield;
     if (this.read(array[at]!) !== expected) return 'not-equal';
-    // A time that ends is no reason to rely on it: here it is over at once.
+    // Nothing may rely on a timeout's length: here it is over at once.
     if (timeout !== Infinity) return 'timed-out';
     process.state = 'asleep';
     process.asleepOn = at;

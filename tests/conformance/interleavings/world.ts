@@ -70,7 +70,7 @@ export const sceneLayout = { endpoints: 6912, pages: 16384 };
 
 const volatileQos: EndpointQos = { ...defaultQos, depth: 8 };
 
-/** What a scene is made of. */
+/** Builds a scene: participants, endpoints, processes and checks. */
 export class SceneWorld {
   readonly laboratory: Laboratory;
   readonly broker: SharedBroker;
@@ -153,7 +153,7 @@ export class SceneWorld {
     return () => void this.laboratory.now(bus.freeAll(owner));
   }
 
-  /** What a run changes besides links: as it is now at the start of each. */
+  /** Registers an object that a run changes, in addition to links: each run starts with its present content. */
   keep(object: object): void {
     this.state.push(object);
   }

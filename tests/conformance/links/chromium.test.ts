@@ -47,7 +47,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Who is killed takes an interpreter along: python_links.test.ts has those scenes. */
+/** Scenes that are not played with Python here: tooLarge, and those that kill a worker with its interpreter (python_links.test.ts). */
 const inNode = new Set([tooLarge, ...killScenes.map(({ name }) => name)]);
 
 for (const kind of ['shared', 'port'] as const) {

@@ -43,7 +43,7 @@ export class Scratch implements Heap {
   }
 }
 
-/** What a scene may ask of a worker. Every method ends before the next begins. */
+/** The calls that a scene may send to a worker. Every method ends before the next begins. */
 export class Peer {
   private readonly link: Link;
   private heap: Scratch = new Scratch();

@@ -15,7 +15,7 @@ import { type RawWorker, World } from './world.ts';
 
 const watchdogMs = 120_000;
 
-/** Who is killed there is Python, and so is who begins then: an interpreter more for each. */
+/** The only pair that plays the kill scenes: both the killed worker and the one that starts then are Python. */
 const killing = 'Python to Python';
 
 const python = new PythonWorkers();

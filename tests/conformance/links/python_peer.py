@@ -306,7 +306,7 @@ def main() -> None:
     peer = Peer()
     signal.signal(signal.SIGINT, peer.interrupt)
     while True:
-        # What is typed only says that there is a command.
+        # The input only means that there is a command.
         host.read_input(1)
         command = js.scene.take().to_py()
         if command['call'] == 'open':

@@ -7,7 +7,7 @@ import { parentPort, workerData } from 'node:worker_threads';
 import { loadPyodide } from 'pyodide';
 import { servePythonPeer } from './python_serving.ts';
 
-/** What the worker is started with. */
+/** The data with which the worker is started. */
 export interface PythonPeerData {
   /** Folder of the archive, with "/" at the end. */
   readonly base: string;

@@ -1,4 +1,4 @@
-// What every link must do, as scenes between workers. Run over both links, under Node.js and in Chromium.
+// The behaviour that every link must have, as scenes between workers. Run over both links, under Node.js and in Chromium.
 
 // Compatibility, works: shared-memory link and port link: matching, order, depth, transient_local,
 // services

@@ -5,7 +5,7 @@ import type { Generator } from './generator.ts';
 type Listener = (event: { data: unknown }) => void;
 
 export class HandPort {
-  /** Whose end of a channel it is. */
+  /** The index of the owner of this end of a channel. */
   owner = -1;
   other!: HandPort;
   readonly inbox: unknown[] = [];

@@ -1,5 +1,5 @@
-// What a graph must do, in the fewest words: endpoints, who matches whom, and a queue per reader (SPEC.md section 2).
-// Knows neither memory nor threads.
+// The behaviour that a graph must have, in the fewest words: endpoints, which match, and a queue per reader (SPEC.md
+// section 2). Has neither memory nor threads.
 
 import { Durability, EndpointKind, flagIgnoreLocal, History } from '../../../runtime/protocol/generated/constants.ts';
 import { incompatiblePolicy, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
@@ -10,7 +10,7 @@ export interface ModelSample {
   readonly bytes: Uint8Array;
   /** Place in the order of publication. */
   readonly order: number;
-  /** Who asked, for requests and replies. */
+  /** The client that asked, for requests and replies. */
   readonly client: ModelEndpoint | undefined;
   readonly relatedSequence: number;
 }
@@ -21,9 +21,9 @@ export interface ModelEndpoint {
   readonly name: string;
   readonly qos: EndpointQos;
   readonly flags: number;
-  /** What it has not yet taken, oldest first. */
+  /** The samples that it has not yet taken, oldest first. */
   queue: ModelSample[];
-  /** What it has written. */
+  /** The samples that it has written. */
   readonly written: ModelSample[];
 }
 

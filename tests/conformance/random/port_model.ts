@@ -1,5 +1,5 @@
-// What the port link owes (SPEC.md sections 2.3 and 5). Messages travel, so the model does not say what a take brings,
-// but whether it may, and what must have come when all is quiet.
+// The guarantees of the port link (SPEC.md sections 2.3 and 5). Messages travel, so the model does not predict the result of
+// a take, but checks whether it is allowed, and which samples must have come when all is quiet.
 
 import { Durability, EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
 import { reads } from '../../../runtime/site/bus/graph.ts';

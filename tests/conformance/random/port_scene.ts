@@ -76,7 +76,7 @@ export class PortScene extends RandomScene {
     this.settle();
     this.compareCounts(person);
     const readers = person.held.filter(({ model }) => reads(model.kind));
-    // What is taken makes room for more, also for the other readers here.
+    // Each taken sample makes room for more, also for the other readers here.
     let taken: number;
     do {
       taken = readers.reduce((sum, reader) => sum + this.takeFrom(person, reader, Infinity), 0);

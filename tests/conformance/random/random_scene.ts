@@ -45,7 +45,7 @@ export abstract class RandomScene {
   /** Third words of the gids. */
   protected readonly keys = new Map<ModelEndpoint, number>();
   protected readonly heap: { u8: Uint8Array; i32: Int32Array };
-  /** What was done, for the one who reads a failure. */
+  /** The steps that were done, for the report of a failure. */
   readonly story: string[] = [];
 
   constructor(random: Generator, model: Model) {
@@ -59,7 +59,7 @@ export abstract class RandomScene {
   protected abstract admit(): { readonly index: number; readonly link: Link };
   /** It ends by itself, or dies. */
   protected abstract end(person: Participant, dies: boolean): void;
-  /** What a take must bring, when it brought `length` bytes with sequence `sequence` of the writer with key `writer`. */
+  /** The sample that a take must return, when it returned `length` bytes with sequence `sequence` of the writer with key `writer`. */
   protected abstract expected(reader: Held, length: number, writer: number, sequence: number): ModelSample | undefined;
   /** Compares counts; `person`'s are wanted. */
   protected abstract count(person: Participant): void;

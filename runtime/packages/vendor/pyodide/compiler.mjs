@@ -17,7 +17,7 @@ from importlib._bootstrap_external import _code_to_hash_pyc
 
 def compiled(path, source, check_source):
     code = compile(source, path, 'exec', dont_inherit=True, optimize=0)
-    # What is written depends on who else holds the same constants: nobody does of what was read.
+    # marshal's output depends on other references to the same constants; loaded code has none.
     code = marshal.loads(marshal.dumps(code))
     # By the hash of the source, not by times (PEP 552).
     return _code_to_hash_pyc(code, importlib.util.source_hash(source), check_source)

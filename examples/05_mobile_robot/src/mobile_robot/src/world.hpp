@@ -9,7 +9,7 @@ namespace world {
 constexpr double kCell = 0.05;  ///< metres, of the map that is told
 constexpr int kColumns = 200;
 constexpr int kRows = 140;
-/// Of the corner of the map with the least x and y.
+/// Metres: the corner of the map with the least x and y.
 constexpr double kLeft = -5.0;
 constexpr double kBottom = -3.5;
 

@@ -48,7 +48,7 @@ std::shared_ptr<void> add_background(int32_t endpoint_id, std::function<void()> 
                            [](const std::weak_ptr<Work>& weak) { return weak.expired(); }),
             all.end());
   all.push_back(work);
-  // What came before it was known is for it too.
+  // Wake the waits: data that arrived before this registration must also be handled.
   ros2wasm::wake();
   return work;
 }

@@ -551,7 +551,7 @@ Truth ContentFilter::holds(size_t node, const uint8_t* bytes, size_t size) const
   switch (one.op) {
     case Operator::both:
     case Operator::either: {
-      // What one side may decide alone.
+      // The value with which one side alone decides the result.
       const bool deciding = one.op == Operator::either;
       const Truth left = holds(one.left, bytes, size);
       if (left == deciding) {

@@ -53,7 +53,7 @@ std::shared_ptr<void> add_listener(std::function<void()> look) {
     listeners().all.push_back(listener);
     listeners().any = true;
   }
-  // What came before it was known is for it too.
+  // Wake the waits: data that arrived before this registration must also be reported.
   ros2wasm::wake();
   return {listener.get(), [listener](void*) { remove_listener(listener); }};
 }

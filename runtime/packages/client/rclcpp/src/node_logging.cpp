@@ -67,7 +67,7 @@ std::string format_text(const char* format, va_list* args) {
 void publish_log(const rcutils_log_location_t* location, int severity, const char* name,
                  rcutils_time_point_value_t timestamp, const char* format, va_list* args) {
   const std::lock_guard<std::recursive_mutex> lock(rosout().mutex);
-  // What publishing itself logs does not go to /rosout.
+  // Messages that publishing itself logs do not go to /rosout: that would recurse without end.
   if (!rosout().enabled || rosout().publishing) {
     return;
   }

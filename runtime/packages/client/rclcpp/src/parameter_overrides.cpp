@@ -107,7 +107,7 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
-// What is said for one of the names that mean a node; rules for it that come later are added to it.
+// The values given for one of the names that match a node; later rules for that name are added.
 struct Named {
   std::string node;
   Overrides values;
@@ -124,7 +124,7 @@ Overrides& values_of(const std::string& node, std::vector<Named>& all) {
 }
 
 // rcl keeps node names in the order in which they appear first, in files as in rules, and rclcpp
-// goes through them in that order: of two that mean the node, the one that appeared last wins.
+// goes through them in that order: of two that match the node, the one that appeared last wins.
 void add_arguments(const ros2wasm::Arguments& arguments, const std::string& full_name,
                    const std::string& name, Overrides& out) {
   std::vector<Named> all;

@@ -69,7 +69,7 @@ class EventWriter : public ServiceEvents {
     put_part(is_request);
     put_part(!is_request);
 
-    // What cannot be told does not stop the call.
+    // An event that cannot be written does not stop the call.
     const size_t size = writer.finish();
     if (size != 0) {
       ros2wasm::SampleInfo info{};

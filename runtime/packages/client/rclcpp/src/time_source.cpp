@@ -90,7 +90,8 @@ class TimeSource::State : public std::enable_shared_from_this<TimeSource::State>
   std::unique_ptr<ros2wasm::Endpoint> endpoint;
   std::shared_ptr<void> background;
   std::shared_ptr<void> type_use;
-  // What the graph shows of a time source: a subscription to /parameter_events.
+  // A subscription to /parameter_events, as the graph shows of a time source on a robot. Its
+  // messages are dropped.
   std::unique_ptr<ros2wasm::Endpoint> events;
   std::shared_ptr<void> events_background;
   std::shared_ptr<node_interfaces::NodeParametersInterface> parameters;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr char kFactoryOf[] = "rclcpp_components::NodeFactoryTemplate<";
 
-/// Of the class of a factory: `composition::Talker`. As it was written when it was registered.
+/// The name of a factory's class, such as `composition::Talker`, as it was written when it was
+/// registered.
 std::string component_of(const std::string& factory) {
   const size_t begin = factory.rfind(kFactoryOf, 0) == 0 ? sizeof(kFactoryOf) - 1 : 0;
   return begin == 0 ? factory : factory.substr(begin, factory.rfind('>') - begin);

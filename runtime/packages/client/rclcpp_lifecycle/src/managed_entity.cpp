@@ -1,4 +1,4 @@
-// What is activated and deactivated together with its node.
+// See managed_entity.hpp.
 #include "rclcpp_lifecycle/managed_entity.hpp"
 
 namespace rclcpp_lifecycle {

@@ -240,7 +240,7 @@ class Executor:
         group = reader.callback_group
         found: tuple[Any, host.Seen | None]
         if group.__class__ is MutuallyExclusiveCallbackGroup:
-            # Of most subscriptions: in fewer steps. No other stack runs between the look and the hold.
+            # A shortcut for most subscriptions. No other stack runs between the look and the hold.
             if group._active_entity is not None:
                 return None, host.look()
             found = reader._endpoint.look_and_take(reader._codec, self._quiet_version)
@@ -568,7 +568,7 @@ class MultiThreadedExecutor(Executor):
         self._futures.append(self._executor.submit(work.call))
         for future in [one for one in self._futures if one.done()]:
             self._futures.remove(future)
-            # What a callback raised comes out here.
+            # Raises the exception of the callback, if it raised one.
             future.result()
 
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:

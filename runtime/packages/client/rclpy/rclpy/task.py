@@ -103,7 +103,7 @@ class Future:
     def _schedule_or_invoke_done_callbacks(self) -> None:
         executor = self._executor() if self._executor is not None else None
         callbacks, self._callbacks = self._callbacks, []
-        # Whoever waits for it can go on.
+        # Continue every wait for this future.
         host.wake()
         for wake in self._sleepers:
             wake()

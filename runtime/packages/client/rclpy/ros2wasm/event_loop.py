@@ -23,7 +23,7 @@ class LinkSelector:
     """In place of a selector of sockets: the link, and standard input."""
 
     def __init__(self) -> None:
-        # Of the last look, so that nothing is missed that came while the loop worked.
+        # The wake token of the last look, so that an event that came while the loop worked is not missed.
         self._token = host.wake_token()
         #: Called whenever standard input has something.
         self.reader: Any = None
@@ -205,6 +205,6 @@ def install() -> None:
     host.own_loop = events._get_running_loop()
     events._set_running_loop(None)
     policy: Any = LinkEventLoopPolicy
-    # What keeps a loop for each thread must know our threads.
+    # The policy stores one loop for each thread, so it must know the threads of ros2wasm.
     policy._Local = type('_Local', (threading.local,), {'_loop': None, '_set_called': False})
     asyncio.set_event_loop_policy(policy())

@@ -258,7 +258,7 @@ def stop_requested() -> bool:
 
 def read_input(capacity: int) -> bytes | None:
     """Wait for standard input. Empty: there will be no more; None: a stop."""
-    # What asks for it ends in no newline.
+    # A prompt does not end in a newline, so it is shown now.
     js.show_output()
     while threads is not None and threads.count > 1:
         token = wake_token()

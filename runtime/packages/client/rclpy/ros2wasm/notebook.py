@@ -247,7 +247,7 @@ class Kernel:
         attend = asyncio.ensure_future(self.attend())
         try:
             await asyncio.wait([main, attend], return_when=asyncio.FIRST_COMPLETED)
-            # Of the two, only the cell ends without an exception.
+            # attend() never returns: if it is done, awaiting it raises its exception.
             return await (main if main.done() else attend)
         finally:
             attend.cancel()

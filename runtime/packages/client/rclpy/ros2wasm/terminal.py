@@ -146,7 +146,7 @@ def tcsetattr(fd: Any, when: int, attributes: list[Any], /) -> None:
         raise TypeError('tcsetattr, arg 3: must be 7 element list')
     if not isinstance(attributes[CC], list) or len(attributes[CC]) != len(CONTROL_CHARACTERS):
         raise TypeError('tcsetattr: attributes[6] must be 32 element list')
-    # Who sets modes before each key with TCSAFLUSH, as tty does, gets the keys of a line all the same.
+    # TCSAFLUSH does not drop input: a program that sets modes before each key, as tty does, gets all the keys.
     terminal.modes = attributes[:CC] + [list(attributes[CC])]
     signals = terminal.modes[LFLAG] & ISIG
     host.terminal_mode(TerminalMode.COOKED if terminal.lines else TerminalMode.CBREAK if signals else TerminalMode.RAW)

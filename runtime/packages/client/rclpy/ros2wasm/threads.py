@@ -266,7 +266,7 @@ class Lock:
             self._waiting.append(me)
             reason = threads.block(deadline)
             if me not in self._waiting:
-                # Whoever released it handed it over.
+                # The stack that released the lock handed it over to this one.
                 if reason == host.STOP:
                     self._interrupt()
                 return True

@@ -195,7 +195,7 @@ class Block:
                 self.at += 1
                 found.append(self.value(indent + 1))
             else:
-                # What follows the dash is a block of its own, as far right as it stands.
+                # The text after the dash is a block of its own, indented by the column where it begins.
                 self.lines[self.at] = (indent + len(text) - len(rest), rest)
                 found.append(self.value(indent + 1))
         return found

@@ -1,7 +1,8 @@
-// What ends with the program or a thread. Here a destructor gives back its object; the C++ runtime
-// calls it as a function that gives back nothing, which WebAssembly refuses. Mostly the compiler
-// writes a function of the right type that takes no object, but for a temporary that a static or
-// thread_local reference is bound to it hands over the destructor itself.
+// Registers destructors that run when the program or a thread ends. In WebAssembly a destructor
+// returns its object; the C++ runtime calls it as a function that returns nothing, which
+// WebAssembly refuses. Mostly the compiler writes a function of the right type that takes no
+// object, but for a temporary that a static or thread_local reference is bound to it passes the
+// destructor itself.
 
 #include <new>
 

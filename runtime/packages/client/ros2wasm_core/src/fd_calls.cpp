@@ -73,7 +73,7 @@ enum Wasi : int {
 
 extern "C" {
 
-// What the loader hands on of WASI's calls: 0, or an errno of WASI.
+// The WASI calls that the loader forwards. They return 0, or an errno of WASI.
 
 int ros2wasm_fd_read(int fd, const Vector* vectors, uint32_t count, uint32_t* out) {
   Files& all = files();
@@ -189,7 +189,7 @@ void ros2wasm_files_rest(int waits) {
   try {
     all.tree.offer_rest();
   } catch (const std::bad_alloc&) {
-    // What is left has no room for its path.
+    // No memory for the path of a file: the rest of the files are not offered.
   }
 }
 

@@ -37,7 +37,7 @@ const char* text(long address) {
   return reinterpret_cast<const char*>(address);
 }
 
-/// What a descriptor is of; null: it is not open.
+/// The file of a descriptor; null: it is not open.
 File file_of(Files& all, long fd) {
   if (fd >= 0 && fd < kFirst) {
     return all.tree.consoles[static_cast<size_t>(fd)];
@@ -61,7 +61,7 @@ Found find(Files& all, long folder, long path) {
   }
 }
 
-/// What asks for memory: -ENOMEM where there is none.
+/// Runs an action that needs memory; returns -ENOMEM where there is none.
 template <typename Action>
 long within_memory(Action action) {
   try {

@@ -34,7 +34,7 @@ struct FileNode {
 
 using File = std::shared_ptr<FileNode>;
 
-/// What a path leads to. `error` is 0 or an errno; ENOENT with a folder: only the last name is
+/// The file at a path. `error` is 0 or an errno; ENOENT with a folder: only the last name is
 /// missing there.
 struct Found {
   int error = 0;
@@ -78,7 +78,7 @@ class FileTree {
   File root_;
 };
 
-/// Of a new file.
+/// The mode of a new file.
 [[nodiscard]] uint32_t usual_mode(FileKind kind);
 
 /// ns since 1970.

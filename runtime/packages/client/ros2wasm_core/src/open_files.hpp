@@ -1,5 +1,5 @@
-// What a program has open, behind the C library's calls: file_calls.cpp has those for paths and
-// folders, fd_calls.cpp those for descriptors.
+// The open files of a program, used by the C library's calls: file_calls.cpp has those for paths
+// and folders, fd_calls.cpp those for descriptors.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ using Lock = std::lock_guard<std::mutex>;
 /// 0, or an errno below 0.
 long resize(FileNode& file, int64_t size);
 
-/// Of an offset that comes in two halves.
+/// Joins the two halves of an offset.
 constexpr int64_t whole(long low, long high) {
   return (static_cast<int64_t>(high) << 32) | static_cast<uint32_t>(low);
 }

@@ -1,6 +1,6 @@
-// What C libraries for the site lack of threads' scheduling: a browser lets nobody choose a CPU or
-// a policy, and these say so, as on a system without them. Weak, for compilers whose library has
-// them.
+// Functions for threads' scheduling that the C libraries for the site lack. In a browser a program
+// cannot choose a CPU or a policy, so these fail as on a system without such a choice. They are
+// weak, for compilers whose library has them.
 #include <errno.h>
 #include <pthread.h>
 #include <sched.h>
@@ -16,7 +16,7 @@ int refuse() {
   return -1;
 }
 
-/// Of a function that returns the error; callers print errno all the same.
+/// For a function that returns its error. errno is set too, because callers print it.
 int refused() {
   errno = ENOSYS;
   return ENOSYS;
@@ -82,7 +82,7 @@ int pthread_setschedprio(pthread_t, int priority) {
   return priority == 0 ? 0 : refused();
 }
 
-/// What a program without threads lacks: attributes of threads that it does not make.
+/// Missing in a program without threads: attributes of threads that it does not make.
 ROS2WASM_LACKING int pthread_attr_setinheritsched(pthread_attr_t*, int) {
   return 0;
 }

@@ -93,7 +93,7 @@ int tcsetattr(int fd, int, const termios* mode) {
   return 0;
 }
 
-/// Of the three standard files only; others cannot be open.
+/// Supports the three standard files only; others cannot be open.
 int poll(pollfd* files, nfds_t count, int timeout_ms) {
   std::vector<Subscription> asked;
   int ready = 0;

@@ -88,7 +88,7 @@ class Parser {
     }
   }
 
-  // What remains of a line after a value: spaces and a comment.
+  // Skips the rest of a line after a value: spaces and a comment.
   void finish_line() {
     skip_spaces();
     skip_comment();
@@ -100,7 +100,7 @@ class Parser {
     }
   }
 
-  /// Of values inside each other.
+  /// Counts how deep values are nested while it exists.
   class Depth {
    public:
     explicit Depth(Parser& parser) : parser_(parser) {
@@ -366,7 +366,7 @@ class Parser {
     }
   }
 
-  /// What stands for the escape after the backslash; steps over it.
+  /// The text that the escape after the backslash means; steps over the escape.
   std::string unescape() {
     static constexpr std::pair<char, char> kOne[] = {
         {'n', '\n'},  {'t', '\t'}, {'r', '\r'}, {'0', '\0'},   {'a', '\a'},

@@ -142,7 +142,7 @@ void Turtle::keep_within_walls() {
   const auto inside = [](double value) { return value >= 0 && value <= kFieldUnits; };
   if (inside(x_) && inside(down_)) return;
   RCLCPP_WARN(node_.get_logger(), "Oh no! I hit the wall! (Clamping from [x=%f, y=%f])", x_, down_);
-  // What is not a number is put into the middle: it would stay none for ever.
+  // A NaN is set to the middle of the field: else it would stay NaN for ever.
   const auto clamped = [](double value) {
     return std::isnan(value) ? kFieldUnits / 2 : std::clamp(value, 0.0, kFieldUnits);
   };

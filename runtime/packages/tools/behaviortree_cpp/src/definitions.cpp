@@ -115,7 +115,7 @@ class Builder {
     return made.get();
   }
 
-  /// What its attributes say of its ports.
+  /// The ports that its attributes set.
   static NodeConfig ports(const XmlElement& element, const TreeNodeManifest& manifest) {
     NodeConfig config;
     for (const auto& [key, value] : element.attributes) {

@@ -1,4 +1,4 @@
-// What all nodes do; see tree_node.h and its neighbours. Blackboards too.
+// The code of all nodes and of blackboards; see tree_node.h and the headers beside it.
 #include <iostream>
 
 #include "behaviortree_cpp/behavior_tree.h"

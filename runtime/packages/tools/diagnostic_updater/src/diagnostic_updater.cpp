@@ -200,7 +200,7 @@ void Updater::publish(std::vector<diagnostic_msgs::msg::DiagnosticStatus>& statu
   publisher_->publish(message);
 }
 
-/// Who looks at diagnostics learns of a task before it has run.
+/// Publishes a first status, so that viewers of diagnostics show a task before it has run.
 void Updater::addedTaskCallback(DiagnosticTaskInternal& task) {
   DiagnosticStatusWrapper status;
   status.name = task.getName();

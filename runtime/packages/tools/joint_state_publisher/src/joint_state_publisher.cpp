@@ -15,7 +15,7 @@ double number_of(const rclcpp::Parameter& parameter) {
              : parameter.as_double();
 }
 
-/// What parameters named <joint>.parent, <joint>.factor and <joint>.offset say.
+/// The joints that parameters named <joint>.parent, <joint>.factor and <joint>.offset describe.
 std::map<std::string, DependentJoint> dependent_joints(
     const std::map<std::string, rclcpp::Parameter>& parameters) {
   std::map<std::string, DependentJoint> result;

@@ -35,7 +35,7 @@ class TimeSynchronizer(SimpleFilter):
             self._keep(my_queue, time_of(msg.header.stamp).nanoseconds, msg)
             for time in sorted(set.intersection(*(set(queue) for queue in self.queues))):
                 self.signalMessage(*(queue[time] for queue in self.queues))
-                # What is older can never be complete in the order of time.
+                # Older messages are dropped: a set of them would come out of order.
                 for queue in self.queues:
                     for old in [one for one in queue if one <= time]:
                         del queue[old]

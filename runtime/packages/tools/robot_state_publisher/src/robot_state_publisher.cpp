@@ -69,7 +69,7 @@ RobotStatePublisher::RobotStatePublisher(const rclcpp::NodeOptions& options)
       [this](const std::vector<rclcpp::Parameter>& changed) { takeParameters(changed); });
 }
 
-/// What older launch files give: the path of the description, after the program's name.
+/// Reads the description from the path after the program's name, as older launch files give it.
 std::string RobotStatePublisher::described_by(const std::vector<std::string>& arguments) const {
   if (arguments.size() < 2) {
     throw std::runtime_error("robot_description parameter must not be empty");

@@ -1,4 +1,4 @@
-// What a program knows of the types that it uses, as bags have it.
+// The definitions of the types that a program uses, in the form that bags need.
 #include <map>
 #include <mutex>
 #include <string_view>

@@ -41,7 +41,7 @@ SequentialWriter::SequentialWriter(
     : storage_factory_(std::move(storage_factory)), metadata_io_(std::move(metadata_io)) {}
 
 SequentialWriter::~SequentialWriter() {
-  // What they refer to may be gone.
+  // The objects that the callbacks refer to may be gone.
   callbacks_.clear();
   try {
     SequentialWriter::close();

@@ -71,7 +71,7 @@ class File:
             self.order, first, last, wanted_by(self.filter))
 
     def set_read_order(self, order: ReadOrder) -> bool:
-        # What ROS 2's own storage refuses too, in its words.
+        # The storage of ROS 2 refuses these orders too; the messages are the same.
         if order.sort_by == ReadOrderSortBy.PublishedTimestamp:
             self.logger.warning('publish timestamp order reading not implemented')
             return False

@@ -26,7 +26,7 @@ constexpr char kProfiles[] = "offered_qos_profiles";
 constexpr char kHash[] = "topic_type_hash";
 constexpr char kRecordName[] = "rosbag2";
 constexpr char kRecordKey[] = "serialized_metadata";
-/// Of bags that do not say what they are of: policies are numbers.
+/// The version of bags that do not say theirs: policies are numbers.
 constexpr int kOlderVersion = 8;
 
 [[noreturn]] void refuse_compression(const std::string& what) {
@@ -362,7 +362,7 @@ void McapStorage::create_topic(const TopicMetadata& topic,
                              {kHash, topic.type_description_hash}}});
 }
 
-/// What was written of it stays.
+/// The messages of the topic that were written stay in the bag.
 void McapStorage::remove_topic(const TopicMetadata& topic) {
   channels_.erase(topic.name);
 }

@@ -174,7 +174,7 @@ std::chrono::time_point<Clock> time_at(const YamlNode& node, const char* name) {
       static_cast<int64_t>(to_whole(at(at(node, name), "nanoseconds_since_epoch")))));
 }
 
-/// What implementations of Foxy wrote for no limit is none.
+/// Reads a time; the values that Foxy's implementations wrote for "no limit" become infinite.
 rmw_time_t rmw_time_at(const YamlNode& node, const char* name) {
   const YamlNode& found = at(node, name);
   const rmw_time_t value{to_whole(at(found, "sec")), to_whole(at(found, "nsec"))};

@@ -1,4 +1,4 @@
-// What bags keep of the QoS of publishers, and what comes of it.
+// The QoS of publishers in bags, and the QoS for recording and replaying that follows from it.
 #include "rosbag2_storage/qos.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a buffer holds, as text and as lists, for tools.
+// The content of a buffer as text and as lists, for tools.
 #include <algorithm>
 #include <iomanip>
 #include <sstream>

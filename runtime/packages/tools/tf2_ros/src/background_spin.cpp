@@ -36,7 +36,7 @@ struct BackgroundSpin::State {
       return;
     }
     asked = true;
-    // Whoever finds it running leaves the rest to that thread, which looks again.
+    // If another thread is already running this, it looks again and does the rest.
     while (asked) {
       const std::unique_lock<std::mutex> lock(running, std::try_to_lock);
       if (!lock || ended) {

@@ -13,7 +13,7 @@ namespace {
 
 // Transforms that another thread puts in by hand wake nobody.
 constexpr std::chrono::milliseconds kLookAgain(10);
-// What addTransformableRequest says of a transform that can never be had.
+// The result of addTransformableRequest for a transform that will never be available.
 constexpr tf2::TransformableRequestHandle kNever = ~tf2::TransformableRequestHandle(0);
 
 using Transform = geometry_msgs::msg::TransformStamped;

@@ -35,7 +35,7 @@ class Samples {
     return sum / static_cast<double>(values_.size());
   }
   double max() const { return std::max(0.0, *std::max_element(values_.begin(), values_.end())); }
-  /// Of moments: how many of them in a second.
+  /// For values that are times in seconds: how many of them come in a second.
   double rate() const {
     return static_cast<double>(values_.size()) /
            std::max(0.00000001, values_.back() - values_.front());

@@ -47,7 +47,7 @@ Asked read_arguments(const std::vector<std::string>& words) {
   return asked;
 }
 
-/// 5 is said as 5.0, as Python says it.
+/// 5 is printed as 5.0, as in Python.
 std::string as_float(double value) {
   std::ostringstream text;
   text << value;
@@ -61,7 +61,7 @@ std::string date() {
   return text;
 }
 
-/// Of a text, as Python shows it.
+/// The text in quotes, as Python prints it.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char letter : text) {

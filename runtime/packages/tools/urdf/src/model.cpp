@@ -20,7 +20,8 @@ void add(std::map<std::string, std::shared_ptr<T>>& into, const std::shared_ptr<
   }
 }
 
-/// Of materials that a visual only names, the one of that name; others become known by theirs.
+/// A visual that only names a material gets the material of that name; other materials are stored
+/// under their names.
 void share_materials(ModelInterface& model, const Link& link) {
   for (const VisualSharedPtr& visual : link.visual_array) {
     if (visual->material_name.empty()) {

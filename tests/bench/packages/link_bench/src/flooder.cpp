@@ -15,7 +15,7 @@ int main(int argc, char ** argv)
   rclcpp::init(argc, argv);
   auto node = std::make_shared<rclcpp::Node>("flooder");
   const auto sinks = static_cast<std::size_t>(node->declare_parameter("sinks", 1));
-  // What comes first is not counted: a page is busy with itself when it has just started.
+  // The first case is not counted: a page is busy with itself when it has just started.
   const std::pair<std::uint64_t, std::uint64_t> cases[] = {
     {9, 400000}, {8, 400000}, {1000, 400000}, {64000, 20000}, {6000000, 200}};
   const auto largest = static_cast<std::uint64_t>(node->declare_parameter("largest", 6000000));

@@ -1,4 +1,4 @@
-// What a gauge notes of one stream of messages between two reports: how many came, how long they took.
+// The measurements of one stream of messages between two reports: how many came, how long they took.
 #pragma once
 
 #include <algorithm>

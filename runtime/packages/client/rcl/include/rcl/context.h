@@ -1,4 +1,4 @@
-// What a context is to the C library: a name for it. Contexts are made by rclcpp.
+// The context type of the C library. It is only a handle: rclcpp makes the contexts.
 #ifndef RCL__CONTEXT_H_
 #define RCL__CONTEXT_H_
 

@@ -1,5 +1,5 @@
-// What someone waits for, and then what of it is ready. The waiting itself is done by rclcpp, so
-// there is no `rcl_wait`.
+// The wait set: the entities to wait for, and after the wait those that are ready. rclcpp does the
+// waiting itself, so there is no `rcl_wait`.
 #ifndef RCL__WAIT_H_
 #define RCL__WAIT_H_
 

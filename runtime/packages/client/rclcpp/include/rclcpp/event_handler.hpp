@@ -69,7 +69,7 @@ class UnsupportedEventTypeException : public exceptions::RCLErrorBase, public st
         std::runtime_error(prefix + (prefix.empty() ? "" : ": ") + base_exc.formatted_message) {}
 };
 
-/// What the bus counted, in the widest form; each kind of event reads its part.
+/// The counters of the bus for all kinds of events; each kind reads its own fields.
 struct EventCounts {
   int32_t total_count = 0;
   int32_t total_change = 0;

@@ -114,7 +114,7 @@ class Executor {
                            std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   /// False: there was nothing to do after all.
   bool execute_any_executable(AnyExecutable& any_executable);
-  /// What execute_any_executable() does with it.
+  /// Called by execute_any_executable() to run it.
   virtual bool run_executable(AnyExecutable& any_executable);
 
   std::atomic_bool spinning{false};

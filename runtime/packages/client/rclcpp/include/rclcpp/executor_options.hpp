@@ -1,4 +1,4 @@
-// What an executor may be told.
+// The options of an executor.
 #pragma once
 
 #include <cstddef>

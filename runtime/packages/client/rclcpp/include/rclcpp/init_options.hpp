@@ -1,4 +1,4 @@
-// What rclcpp::init may be told beside the arguments.
+// The options of rclcpp::init, in addition to the arguments.
 #pragma once
 
 #include <cstddef>

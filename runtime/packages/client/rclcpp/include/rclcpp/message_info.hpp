@@ -1,4 +1,4 @@
-// What came with a message.
+// The data that arrives with a message: times, sequence numbers and the publisher's id.
 #pragma once
 
 #include "rclcpp/visibility_control.hpp"

@@ -46,7 +46,7 @@
 namespace rclcpp {
 namespace detail {
 
-/// What nodes of every kind offer; made and owned as Node or rclcpp_lifecycle::LifecycleNode.
+/// The functions of every kind of node; made and owned as Node or rclcpp_lifecycle::LifecycleNode.
 class CommonNode {
  public:
   const char* get_name() const;

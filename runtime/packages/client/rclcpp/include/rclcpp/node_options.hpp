@@ -1,4 +1,4 @@
-// What a node may be told when it is made.
+// The options of a node.
 #pragma once
 
 #include <memory>

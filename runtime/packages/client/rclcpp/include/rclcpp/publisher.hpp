@@ -15,7 +15,7 @@ namespace rclcpp {
 template <typename MessageT, typename AllocatorT = std::allocator<void>>
 class Publisher : public PublisherBase {
  public:
-  /// What the program publishes, and what goes over the bus.
+  /// The type that the program publishes, and the type that goes over the bus.
   using PublishedType = typename rclcpp::TypeAdapter<MessageT>::custom_type;
   using ROSMessageType = typename rclcpp::TypeAdapter<MessageT>::ros_message_type;
 

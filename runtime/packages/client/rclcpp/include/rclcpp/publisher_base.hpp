@@ -1,5 +1,5 @@
-// What all publishers share: an endpoint on the bus, its QoS, its events, and delivery by pointer
-// to subscriptions of the same process.
+// The part that all publishers share: an endpoint on the bus, its QoS, its events, and delivery by
+// pointer to subscriptions of the same process.
 #pragma once
 
 #include <chrono>

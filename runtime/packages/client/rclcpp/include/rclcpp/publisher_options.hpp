@@ -1,4 +1,4 @@
-// What create_publisher may be told.
+// The options of create_publisher.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// What all subscriptions share: an endpoint on the bus, its QoS, its events, and the queue of
-// messages that came by pointer.
+// The part that all subscriptions share: an endpoint on the bus, its QoS, its events, and the queue
+// of messages that came by pointer.
 #pragma once
 
 #include <atomic>

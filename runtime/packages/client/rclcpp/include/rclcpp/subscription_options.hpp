@@ -1,4 +1,4 @@
-// What create_subscription may be told.
+// The options of create_subscription.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a subscription's callback takes.
+// Type traits for the parameter of a subscription's callback.
 #pragma once
 
 #include <memory>

@@ -82,8 +82,8 @@ class WaitSetCore {
   std::vector<std::weak_ptr<rclcpp::ClientBase>> clients_;
   std::vector<std::weak_ptr<rclcpp::ServiceBase>> services_;
   std::vector<std::weak_ptr<rclcpp::Waitable>> waitables_;
-  /// What is ready: subscriptions, timers, clients and services by their addresses; first the own
-  /// guard conditions, then those of the waitables.
+  /// The entities that are ready: subscriptions, timers, clients and services by their addresses.
+  /// The guard conditions of this wait set come first, then those of the waitables.
   RclWaitSet view_;
   /// Ready and not handed out yet.
   std::vector<char> ready_waitables_;

@@ -13,7 +13,7 @@
 
 namespace rclcpp {
 
-/// Differs from rclcpp on ROS machines: of what a waitable adds to the wait set, guard conditions
+/// Differs from rclcpp on a robot: only the guard conditions that a waitable adds to the wait set
 /// are waited for. Nothing else of the C library has something to wait for here.
 class Waitable : public detail::Executable {
  public:
@@ -26,7 +26,7 @@ class Waitable : public detail::Executable {
   virtual size_t get_number_of_ready_services() { return 0; }
   virtual size_t get_number_of_ready_guard_conditions() { return 0; }
 
-  /// Of each pair the newer form calls the older one, which throws where neither is overridden.
+  /// In each pair the newer form calls the older one, which throws where neither is overridden.
   virtual void add_to_wait_set(rcl_wait_set_t& wait_set);
   virtual void add_to_wait_set(rcl_wait_set_t* wait_set);
   virtual bool is_ready(const rcl_wait_set_t& wait_set);

@@ -36,7 +36,7 @@ rcl_action_client_options_t rcl_action_client_get_default_options();
 
 namespace rclcpp_action {
 
-/// What does not depend on the action's type: its service clients as a whole.
+/// The part that does not depend on the action's type: its service clients and subscriptions.
 class ClientBase {
  public:
   virtual ~ClientBase();
@@ -64,8 +64,8 @@ class ClientBase {
   std::vector<rclcpp::SubscriptionBase::SharedPtr> subscriptions_;
 };
 
-/// Of callables that take a goal handle, and of those that take a future of it, as ROS 2 Foxy had
-/// them.
+/// Can be made from callables that take a goal handle, and from those that take a future of it, as
+/// in ROS 2 Foxy.
 template <typename HandleT>
 class GoalResponseFunction : public std::function<void(HandleT)> {
   using Base = std::function<void(HandleT)>;

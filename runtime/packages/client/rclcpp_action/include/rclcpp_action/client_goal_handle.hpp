@@ -71,7 +71,7 @@ class ClientGoalHandle {
     const std::lock_guard<std::recursive_mutex> lock(mutex_);
     result_callback_ = std::move(callback);
   }
-  /// What it was before.
+  /// Returns the value from before.
   bool set_result_awareness(bool awareness) {
     const std::lock_guard<std::recursive_mutex> lock(mutex_);
     return std::exchange(is_result_aware_, awareness);
@@ -107,7 +107,7 @@ class ClientGoalHandle {
       callback(result);
     }
   }
-  /// Whoever waits for the result learns that it will not come.
+  /// Ends all waits for the result with this error: the result will not come.
   void invalidate(const exceptions::UnawareGoalHandleError& error) {
     const std::lock_guard<std::recursive_mutex> lock(mutex_);
     if (is_finished_) {

@@ -1,4 +1,4 @@
-// What goes wrong with goals.
+// Exceptions about the goals of a client.
 #pragma once
 
 #include <stdexcept>

@@ -32,7 +32,7 @@ rcl_action_server_options_t rcl_action_server_get_default_options();
 
 namespace rclcpp_action {
 
-/// What does not depend on the action's type: goals' states, status, cancelling.
+/// The part that does not depend on the action's type: goals' states, status, cancelling.
 class ServerBase {
  public:
   using CancelGoal = action_msgs::srv::CancelGoal;
@@ -45,7 +45,7 @@ class ServerBase {
 
   /// Whether the user lets this goal be cancelled.
   virtual CancelResponse ask_to_cancel(const GoalUUID& uuid) = 0;
-  /// The result of a goal is not kept any more.
+  /// Drops the stored result of a goal.
   virtual void forget(const GoalUUID& uuid) = 0;
 
   std::shared_ptr<GoalState> add_goal(const GoalUUID& uuid, builtin_interfaces::msg::Time stamp);

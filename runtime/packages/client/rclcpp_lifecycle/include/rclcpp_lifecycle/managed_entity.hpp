@@ -1,4 +1,4 @@
-// What is activated and deactivated together with its node.
+// An entity that is activated and deactivated together with its node.
 #pragma once
 
 #include <atomic>

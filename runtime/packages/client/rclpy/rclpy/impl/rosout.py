@@ -23,7 +23,7 @@ def remove(logger_name: str, publisher: Any) -> None:
 
 def _tell(severity: int, name: str, text: str, now: int, place: log.Place) -> None:
     global _publishing
-    # What publishing itself logs does not go to /rosout.
+    # Messages that publishing itself logs do not go to /rosout: that would recurse without end.
     if _publishing:
         return
     owner, publisher = name, _publishers.get(name)

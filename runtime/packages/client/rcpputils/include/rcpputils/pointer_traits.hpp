@@ -1,4 +1,4 @@
-// What a pointer, plain or smart, points to.
+// The type that a plain or smart pointer points to.
 #pragma once
 
 #include <memory>

@@ -40,7 +40,7 @@ struct Arguments {
   bool log_stdout = true;
   bool log_rosout = true;
   std::string enclave;
-  /// What stood between --ros-args and -- without being understood.
+  /// The arguments between --ros-args and -- that are not known.
   std::vector<std::string> unknown_ros_arguments;
   /// Everything outside of --ros-args ... --
   std::vector<std::string> other_arguments;

@@ -1,4 +1,4 @@
-// What a program does with its files beside reading and writing them.
+// File operations of a program other than reading and writing.
 #pragma once
 
 #include <string>

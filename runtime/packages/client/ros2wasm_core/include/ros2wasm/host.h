@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/** What `endpoint_create` is told. 0 in a time field means "no limit". 112 bytes. */
+/** The parameters of `endpoint_create`. 0 in a time field means "no limit". 112 bytes. */
 struct ros2wasm_endpoint_desc {
   uint32_t kind, node;
   uint32_t name, name_len; /* fully qualified and remapped */
@@ -29,7 +29,7 @@ struct ros2wasm_endpoint_desc {
   int64_t reserved2[3];
 };
 
-/** What comes and goes with each sample. 64 bytes. */
+/** The metadata of each sample that is written or taken. 64 bytes. */
 struct ros2wasm_sample_info {
   uint32_t length, flags;
   int64_t sequence;            /* per writer, from 1 */
@@ -77,7 +77,7 @@ ROS2WASM_IMPORT("real_timeout") int32_t ros2wasm_real_timeout(int64_t* real_ns, 
 /** 0 slept, 2 stop requested. Steady time. May suspend the program. */
 ROS2WASM_IMPORT("sleep") int32_t ros2wasm_sleep(int64_t duration_ns);
 ROS2WASM_IMPORT("stop_requested") int32_t ros2wasm_stop_requested(void);
-/** What the program makes of its standard input: 0 lines, 1 keys, 2 keys and Ctrl-C too. */
+/** How the program reads its standard input: 0 lines, 1 keys, 2 keys and Ctrl-C too. */
 ROS2WASM_IMPORT("terminal_mode") void ros2wasm_terminal_mode(int32_t mode);
 /** Matched peers now; of a client: servers that are ready in both directions. */
 ROS2WASM_IMPORT("matched") int32_t ros2wasm_matched(int32_t endpoint);

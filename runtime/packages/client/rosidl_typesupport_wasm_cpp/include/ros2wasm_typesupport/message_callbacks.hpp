@@ -1,5 +1,5 @@
-// What a type support handle's `data` points to: the functions that turn one message type into
-// CDR bytes and back. Knows no client library and no transport.
+// The target of a type support handle's `data`: the functions that turn one message type into CDR
+// bytes and back. Depends on no client library and no transport.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What a program knows of the interface types that it uses: names, fields, and the text that they
-// were made from. Constant data; a program carries that of its own types only.
+// Descriptions of the interface types that a program uses: names, fields, and the text that they
+// were made from. Constant data; a program contains that of its own types only.
 #pragma once
 
 #include <cstddef>

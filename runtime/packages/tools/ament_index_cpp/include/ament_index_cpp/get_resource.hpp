@@ -5,7 +5,7 @@
 
 namespace ament_index_cpp {
 
-/// What the resource says goes to `content`. False: there is none.
+/// Writes the resource's text to `content`. False: there is no such resource.
 bool get_resource(const std::string& resource_type, const std::string& resource_name,
                   std::string& content, std::string* prefix_path = nullptr);
 

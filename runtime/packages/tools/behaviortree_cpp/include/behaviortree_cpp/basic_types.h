@@ -1,5 +1,5 @@
-// What nodes and ports are told by: kinds, states, values as texts, and descriptions of ports.
-// Brings of the standard library what programs have of upstream's headers without asking for it.
+// Basic types of nodes and ports: kinds, states, values as texts, and descriptions of ports.
+// Includes the standard headers that programs get from upstream's headers without including them.
 #pragma once
 
 #include <algorithm>

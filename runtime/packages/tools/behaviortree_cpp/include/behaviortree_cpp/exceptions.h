@@ -1,4 +1,4 @@
-// What trees throw.
+// The exceptions that behavior trees throw.
 #pragma once
 
 #include <stdexcept>
@@ -21,7 +21,7 @@ class LogicError : public BehaviorTreeException {
   using BehaviorTreeException::BehaviorTreeException;
 };
 
-/// What a tree is made of, or met while it ran, is wrong.
+/// The parts of a tree are wrong, or something went wrong while it ran.
 class RuntimeError : public BehaviorTreeException {
  public:
   using BehaviorTreeException::BehaviorTreeException;

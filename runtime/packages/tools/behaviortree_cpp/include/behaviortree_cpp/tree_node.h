@@ -1,4 +1,4 @@
-// What all nodes of a tree have: a name, a state, ports, and who is told when the state changes.
+// Base class of all nodes of a tree: a name, a state, ports, and subscribers to state changes.
 #pragma once
 
 #include <functional>
@@ -95,7 +95,7 @@ class TreeNode {
   [[nodiscard]] StringView getRawPortValue(const std::string& key) const;
 
   [[nodiscard]] static bool isBlackboardPointer(StringView text);
-  /// What stands between the braces.
+  /// The text between the braces.
   [[nodiscard]] static StringView stripBlackboardPointer(StringView text);
 
   void emitWakeUpSignal() {}

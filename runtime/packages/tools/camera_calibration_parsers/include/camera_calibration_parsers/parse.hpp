@@ -14,7 +14,7 @@ using CameraInfo = sensor_msgs::msg::CameraInfo;
 bool writeCalibration(const std::string& file_name, const std::string& camera_name,
                       const CameraInfo& cam_info);
 bool readCalibration(const std::string& file_name, std::string& camera_name, CameraInfo& cam_info);
-/// Of a text; the format is "yml" or "yaml".
+/// Reads a text; the format is "yml" or "yaml".
 bool parseCalibration(const std::string& buffer, const std::string& format,
                       std::string& camera_name, CameraInfo& cam_info);
 

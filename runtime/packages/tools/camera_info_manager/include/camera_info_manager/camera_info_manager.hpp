@@ -1,5 +1,5 @@
-// What a camera's driver keeps of its calibration: from a file, and from whoever calls
-// `~/set_camera_info`, which is written to that file.
+// The calibration of a camera, for its driver. It is read from a file; a call of
+// `~/set_camera_info` replaces it and writes it to that file.
 #pragma once
 
 #include <memory>

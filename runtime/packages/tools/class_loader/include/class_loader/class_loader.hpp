@@ -29,7 +29,7 @@ struct RegisteredClass {
 void register_class(RegisteredClass registered);
 /// Throws LibraryLoadException when the program has nothing of the library.
 void require_library(const std::string& path);
-/// Of one library (a path or a file name), or of all when it is empty.
+/// The classes of one library (a path or a file name), or of all when it is empty.
 std::vector<std::string> class_names(const std::string& base, const std::string& library);
 /// Name and library of each.
 std::vector<std::pair<std::string, std::string>> classes_and_libraries(const std::string& base);

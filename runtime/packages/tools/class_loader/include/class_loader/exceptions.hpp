@@ -1,4 +1,4 @@
-// What goes wrong with libraries and classes.
+// Exceptions about libraries and classes.
 #pragma once
 
 #include <stdexcept>

@@ -11,7 +11,7 @@
 
 namespace control_toolbox {
 
-/// What keeps the integral from growing while the command is at its limit.
+/// The method that stops the integral from growing while the command is at its limit.
 struct AntiWindupStrategy {
   enum Value : int8_t {
     UNDEFINED = -1,

@@ -1,4 +1,4 @@
-// What goes wrong with transports.
+// Exceptions about transports.
 #pragma once
 
 #include <stdexcept>

@@ -35,7 +35,7 @@ class Publisher {
  private:
   using ImagePublisher = rclcpp::Publisher<sensor_msgs::msg::Image>;
 
-  /// What is inside, or nothing with a message.
+  /// The publisher inside; null, and a message in the log, if there is none.
   ImagePublisher* opened() const;
 
   std::shared_ptr<ImagePublisher::SharedPtr> shared_;

@@ -10,7 +10,7 @@
 namespace laser_geometry {
 namespace channel_option {
 
-/// What a point has beside x, y and z; together with `|`.
+/// The values of a point in addition to x, y and z; combined with `|`.
 enum ChannelOption {
   None = 0x00,
   Intensity = 0x01,  ///< "intensity", where the scan has any

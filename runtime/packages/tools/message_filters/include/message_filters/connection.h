@@ -1,4 +1,4 @@
-// What registering a callback gives back: the way to take it off again.
+// The result of registering a callback; it can remove the callback again.
 #pragma once
 
 #include <functional>

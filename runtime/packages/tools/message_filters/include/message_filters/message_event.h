@@ -14,7 +14,7 @@ struct DefaultMessageCreator {
   std::shared_ptr<M> operator()() { return std::make_shared<M>(); }
 };
 
-/// Of a message that others also read, a non-const event hands out a copy, made when first asked.
+/// A non-const event of a message that others also read returns a copy, made at the first call.
 template <typename M>
 class MessageEvent {
  public:

@@ -1,5 +1,5 @@
-// What a filter must know of a message: its frame and its time. Specialize them for messages that
-// keep these elsewhere than in `header`.
+// The traits of a message that filters use: its frame and its time. Specialize them for messages
+// that have these elsewhere than in `header`.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ struct FrameId<M, std::enable_if_t<HasHeader<M>::value>> {
   static std::string value(const M& m) { return m.header.frame_id; }
 };
 
-/// Of a message without a header: zero.
+/// Zero for a message without a header.
 template <typename M, typename Enable = void>
 struct TimeStamp {
   static rclcpp::Time value(const M&) { return rclcpp::Time(); }

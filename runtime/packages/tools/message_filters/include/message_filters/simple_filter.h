@@ -1,4 +1,4 @@
-// What all filters with one output share: callbacks for what passes.
+// Base class of all filters with one output: calls back for each message that passes.
 #pragma once
 
 #include <functional>

@@ -96,7 +96,7 @@ class Synchronizer : public noncopyable, public Policy {
   std::string name_;
 };
 
-/// What a synchronizer asks of its policy, but for `add` and `initParent`.
+/// The types that a synchronizer needs from its policy, which also has `add` and `initParent`.
 template <typename... Ms>
 struct PolicyBase {
   using RealTypeCount = std::integral_constant<int, sizeof...(Ms)>;

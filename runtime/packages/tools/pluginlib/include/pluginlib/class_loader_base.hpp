@@ -1,4 +1,4 @@
-// What a ClassLoader does whatever its base class.
+// The part of ClassLoader that does not depend on its base class.
 #pragma once
 
 #include <map>
@@ -56,7 +56,7 @@ class DeclaredClasses {
   [[nodiscard]] const ClassDesc* find(const std::string& lookup_name) const;
   [[nodiscard]] const std::string& base_class() const { return base_class_; }
   [[nodiscard]] const std::vector<std::string>& paths() const { return paths_; }
-  /// Of the libraries in use.
+  /// The paths of the libraries in use.
   [[nodiscard]] std::vector<std::string> libraries() const;
   /// Empty when the program was linked without it.
   [[nodiscard]] std::string library_path(const std::string& lookup_name) const;

@@ -1,4 +1,4 @@
-// What goes wrong with plugins.
+// Exceptions about plugins.
 #pragma once
 
 #include <stdexcept>

@@ -19,8 +19,8 @@ class RealtimeBuffer {
     return *this;
   }
 
-  /// What was written last, or before that when it is being written just now. It stays as it is
-  /// until the next call.
+  /// The value that was written last, or the one before while a write is under way. It does not
+  /// change until the next call.
   T* readFromRT() {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
     if (lock.owns_lock() && is_newer_) {

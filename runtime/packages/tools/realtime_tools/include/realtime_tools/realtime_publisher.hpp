@@ -18,7 +18,7 @@ class RealtimePublisher {
   using SharedPtr = std::shared_ptr<RealtimePublisher<MessageT>>;
   using UniquePtr = std::unique_ptr<RealtimePublisher<MessageT>>;
 
-  /// What unlockAndPublish() publishes.
+  /// The message that unlockAndPublish() publishes.
   MessageT msg_;
 
   explicit RealtimePublisher(PublisherSharedPtr publisher) : publisher_(std::move(publisher)) {}

@@ -1,4 +1,4 @@
-// What a robot's description says of its frames.
+// The frames of a robot and how they move, read from its description.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct Segment {
   std::string tip;
   urdf::JointConstSharedPtr joint;
 
-  /// Of the tip in the root, with the joint at a position (radians or metres).
+  /// The pose of the tip in the root, with the joint at a position (radians or metres).
   urdf::Pose pose(double position) const;
 };
 

@@ -1,4 +1,4 @@
-// What callbacks are told of a bag of several files.
+// Callbacks for a bag of several files: one is called when the next file begins.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What a bag says of itself.
+// Reads the metadata of a bag.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace rosbag2_cpp {
 class Info {
  public:
   virtual ~Info() = default;
-  /// Of a folder or a file. Throws std::runtime_error.
+  /// `uri`: a folder or a file. Throws std::runtime_error.
   virtual rosbag2_storage::BagMetadata read_metadata(const std::string& uri,
                                                      const std::string& storage_id = "");
 };

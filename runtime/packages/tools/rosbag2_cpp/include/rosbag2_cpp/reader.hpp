@@ -19,7 +19,7 @@
 
 namespace rosbag2_cpp {
 
-/// What fails throws std::runtime_error; so does what is asked before open().
+/// Functions that fail throw std::runtime_error; so do calls before open().
 class Reader {
  public:
   explicit Reader(std::unique_ptr<reader_interfaces::BaseReaderInterface> reader_impl =

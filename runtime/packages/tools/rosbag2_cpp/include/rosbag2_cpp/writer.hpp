@@ -21,7 +21,7 @@
 
 namespace rosbag2_cpp {
 
-/// What fails throws std::runtime_error.
+/// Functions that fail throw std::runtime_error.
 class Writer {
  public:
   explicit Writer(std::unique_ptr<writer_interfaces::BaseWriterInterface> writer_impl =
@@ -45,7 +45,7 @@ class Writer {
   /// The next file begins.
   void split_bagfile();
 
-  /// Of a topic that was created.
+  /// The message's topic must have been created.
   void write(std::shared_ptr<const rosbag2_storage::SerializedBagMessage> message);
 
   // These create the topic when it is not there.

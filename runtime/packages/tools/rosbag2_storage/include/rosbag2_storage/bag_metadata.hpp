@@ -1,4 +1,4 @@
-// What metadata.yaml says of a bag.
+// The metadata of a bag, as in metadata.yaml.
 #pragma once
 
 #include <chrono>

@@ -19,16 +19,16 @@ class Rosbag2QoS : public rclcpp::QoS {
     keep_last(rmw_qos_profile_default.depth);
     return *this;
   }
-  /// What a subscription asks for so that it hears all publishers.
+  /// The QoS with which a subscription receives the messages of all publishers.
   static Rosbag2QoS adapt_request_to_offers(
       const std::string& topic_name, const std::vector<rclcpp::TopicEndpointInfo>& endpoints);
-  /// What a publisher offers that stands for all that were recorded.
+  /// The QoS of a publisher that replays the messages of all recorded publishers.
   static Rosbag2QoS adapt_offer_to_recorded_offers(const std::string& topic_name,
                                                    const std::vector<Rosbag2QoS>& profiles);
 };
 
 std::vector<Rosbag2QoS> from_rclcpp_qos_vector(const std::vector<rclcpp::QoS>& in);
-/// YAML; of versions before 9 with numbers for policies.
+/// Returns YAML. Versions before 9 have numbers for policies.
 std::string serialize_rclcpp_qos_vector(const std::vector<rclcpp::QoS>& in, int version = 9);
 /// Throws std::runtime_error for other texts.
 std::vector<rclcpp::QoS> to_rclcpp_qos_vector(const std::string& serialized, int version);

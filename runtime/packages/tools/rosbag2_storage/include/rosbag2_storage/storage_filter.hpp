@@ -10,7 +10,7 @@ struct StorageFilter {
   std::vector<std::string> topics;
   /// Event topics of services, which `topics` says nothing of.
   std::vector<std::string> services_events;
-  /// Of whole names; those of the lists are read too.
+  /// Must match whole names; the topics of the lists are read too.
   std::string regex = "";
   std::vector<std::string> exclude_topics = {};
   std::vector<std::string> exclude_service_events = {};

@@ -16,7 +16,7 @@ struct TopicMetadata {
   std::string type;
   /// "cdr"
   std::string serialization_format;
-  /// Of its publishers.
+  /// The QoS profiles of its publishers.
   std::vector<rclcpp::QoS> offered_qos_profiles;
   /// "RIHS01_...", or empty.
   std::string type_description_hash;

@@ -1,5 +1,5 @@
 // Numbers and texts of MCAP files: little-endian, texts and lists behind their length in 32 bits.
-// What is read is of unknown origin, so a length is looked at before anything is done with it.
+// The files may come from anywhere, so every length is checked before it is used.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace rosbag2_storage::mcap {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers are copied as they lie");
 
-/// What a file says cannot be.
+/// The content of a file is not possible.
 class Damaged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -44,7 +44,7 @@ class ByteReader {
   }
   std::string_view text() { return take(number<uint32_t>()); }
   std::string string() { return std::string(text()); }
-  /// Of one length together.
+  /// A list: its length in bytes is before all its items.
   ByteReader list() { return ByteReader(text()); }
   Texts texts() {
     Texts found;

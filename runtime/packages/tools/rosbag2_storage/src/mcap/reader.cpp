@@ -14,10 +14,10 @@ constexpr uint64_t kMostMetadata = 16 << 20;
 constexpr uint64_t kMostSchemas = 16 << 20;
 constexpr uint64_t kMostRecord = 128 << 20;
 constexpr uint64_t kMostChunk = 128 << 20;
-/// Chunks whose times overlap are held side by side.
+/// Upper bound for the unpacked chunks in memory; chunks whose times overlap are loaded together.
 constexpr uint64_t kMostHeld = 256 << 20;
 constexpr uint64_t kFooterLength = 20;
-/// Of a chunk's record, before its records: with the longest name of a compression.
+/// Bytes of a chunk's record before its records, with the longest name of a compression.
 constexpr uint64_t kMostChunkHead = 8 + 8 + 8 + 4 + 4 + 32 + 8;
 
 /// Calls `take` with each record of a chunk or a summary, and where it begins there.

@@ -55,10 +55,10 @@ class Reader {
   [[nodiscard]] bool can_sort() const { return !chunks_.empty() || statistics_.messages == 0; }
   /// Why not all of it can be read; empty: it is whole, as far as its index says.
   [[nodiscard]] const std::string& damage() const { return damage_; }
-  /// Of that name, in the file's order; what cannot be read of them is skipped.
+  /// The metadata records of that name, in the file's order; those that cannot be read are skipped.
   [[nodiscard]] std::vector<Metadata> metadata(const std::string& name);
 
-  /// What next() gives from now on, from its begin.
+  /// Sets the messages that next() returns from now on, beginning with the first of them.
   void begin(ReadQuestion question);
   /// Nothing: there are no more. Throws Damaged.
   [[nodiscard]] std::optional<ReadMessage> next();

@@ -55,7 +55,7 @@ struct MessageRecord {
   std::string_view data;
 };
 
-/// What a chunk's head says, and where its record lies.
+/// The values of a chunk's head, and the place of its record in the file.
 struct ChunkPlace {
   uint64_t first_time = 0;
   uint64_t last_time = 0;
@@ -104,7 +104,7 @@ struct MetadataPlace {
 [[nodiscard]] Schema read_schema(std::string_view record);
 [[nodiscard]] Channel read_channel(std::string_view record);
 [[nodiscard]] MessageRecord read_message(std::string_view record);
-/// Of a chunk's record, or of its begin.
+/// Reads the head from a chunk's whole record, or from the first bytes of it.
 [[nodiscard]] ChunkHead read_chunk_head(ByteReader& record);
 [[nodiscard]] ChunkPlace read_chunk_place(std::string_view record);
 [[nodiscard]] Statistics read_statistics(std::string_view record);
@@ -121,7 +121,7 @@ struct MetadataPlace {
 [[nodiscard]] std::string bytes_of(const Metadata& metadata);
 [[nodiscard]] std::string bytes_of(const MetadataPlace& place);
 
-/// Of IEEE 802.3, as zlib has it. `before`: of what came before.
+/// The CRC of IEEE 802.3, as in zlib. `before`: the CRC of the bytes before these.
 [[nodiscard]] uint32_t crc32(std::string_view bytes, uint32_t before = 0);
 
 }  // namespace rosbag2_storage::mcap

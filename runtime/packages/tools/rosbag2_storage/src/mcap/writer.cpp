@@ -49,7 +49,7 @@ Writer::~Writer() {
   try {
     close();
   } catch (const std::exception&) {
-    // Who wants to know closes it before.
+    // A caller that needs the error calls close() itself.
   }
 }
 

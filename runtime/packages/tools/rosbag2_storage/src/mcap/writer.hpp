@@ -26,17 +26,18 @@ class Writer {
   Writer(const std::string& path, const WriterOptions& options);
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
-  /// Closes; what fails then is not told.
+  /// Closes; errors are not reported then.
   ~Writer();
 
   /// Give its id. They go out with their first message, and at the end.
   uint16_t add_schema(Schema schema);
   uint16_t add_channel(Channel channel);
-  /// Of a channel that was added. Throws std::runtime_error when it cannot be written.
+  /// The message's channel must have been added. Throws std::runtime_error when it cannot be
+  /// written.
   void write(const MessageRecord& message);
   void write(const Metadata& metadata);
   void close();
-  /// What went out, and what waits in the chunk.
+  /// Bytes that were written, plus those that wait in the chunk.
   [[nodiscard]] uint64_t size() const { return written_ + chunk_.size(); }
 
  private:
@@ -47,7 +48,7 @@ class Writer {
 
   void out(std::string_view bytes);
   void end_chunk();
-  /// What messages are read with, before the first of them.
+  /// Adds the channel and its schema, before the channel's first message.
   void introduce(Channel& channel, std::string& to);
   void write_summary();
 

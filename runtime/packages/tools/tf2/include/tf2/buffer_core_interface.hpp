@@ -1,4 +1,4 @@
-// What a buffer of transforms can do without a node.
+// Interface of a buffer of transforms that needs no node.
 #pragma once
 
 #include <string>

@@ -59,7 +59,7 @@ class TimeCache : public TimeCacheInterface {
   const std::list<TransformStorage>& getAllItems() const { return storage_; }
 
  private:
-  // What lies around a time: the older one, and the newer one where the time is between two.
+  // The transforms around a time: the older one, and the newer one where the time is between two.
   struct Around {
     const TransformStorage* older = nullptr;
     const TransformStorage* newer = nullptr;

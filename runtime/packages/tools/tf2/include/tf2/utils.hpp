@@ -10,7 +10,7 @@
 
 namespace tf2 {
 
-// Of tf2_geometry_msgs.
+// Defined in tf2_geometry_msgs.
 void fromMsg(const geometry_msgs::msg::Quaternion& in, Quaternion& out);
 
 namespace impl {

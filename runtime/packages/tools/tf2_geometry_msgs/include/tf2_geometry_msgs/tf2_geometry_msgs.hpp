@@ -364,7 +364,7 @@ inline void doTransform(const geometry_msgs::msg::PoseWithCovarianceStamped& t_i
   t_out.header = transform.header;
 }
 
-/// What the frames' own distance adds, on top of the velocity that was there.
+/// Adds the velocity that follows from the distance of the frames to the velocity that was there.
 template <>
 inline void doTransform(const geometry_msgs::msg::VelocityStamped& t_in,
                         geometry_msgs::msg::VelocityStamped& t_out,

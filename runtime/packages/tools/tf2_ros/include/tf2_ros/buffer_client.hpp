@@ -14,7 +14,7 @@
 
 namespace tf2_ros {
 
-/// What the action says beside a transform.
+/// Base class of the errors of the action itself.
 class LookupTransformGoalException : public std::runtime_error {
  public:
   explicit LookupTransformGoalException(const std::string& message) : std::runtime_error(message) {}

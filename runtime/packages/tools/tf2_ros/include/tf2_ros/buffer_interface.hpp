@@ -1,4 +1,4 @@
-// What a buffer can do that waits, and conversions of time between ROS and tf2.
+// Interface of a buffer whose lookups can wait, and conversions of time between ROS and tf2.
 #pragma once
 
 #include <chrono>

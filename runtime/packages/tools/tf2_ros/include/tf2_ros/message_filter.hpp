@@ -78,7 +78,7 @@ class MessageFilter : public MessageFilterBase, public message_filters::SimpleFi
   using MConstPtr = std::shared_ptr<const M>;
   using MEvent = message_filters::MessageEvent<const M>;
 
-  /// Of more than `queue_size` messages that wait, the oldest is dropped; 0: none. A message waits
+  /// If more than `queue_size` messages wait, the oldest is dropped; 0: no limit. A message waits
   /// for `buffer_timeout` at most. With a filter `f`, its output is the input.
   template <typename RepT = int64_t, typename PeriodT = std::nano>
   MessageFilter(BufferT& buffer, const std::string& target_frame, uint32_t queue_size,
@@ -275,7 +275,7 @@ class MessageFilter : public MessageFilterBase, public message_filters::SimpleFi
       return;
     }
     const std::string frame = frame_of(event);
-    // What came first may be too old by now.
+    // The transforms that came first may be too old by now.
     const bool still = std::all_of(wishes.begin(), wishes.end(), [&](const Wish& wish) {
       return buffer_.canTransform(wish.frame, frame, wish.time, nullptr);
     });

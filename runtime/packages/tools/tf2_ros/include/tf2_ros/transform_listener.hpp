@@ -90,7 +90,7 @@ class TransformListener {
     rclcpp::CallbackGroup::SharedPtr group;
     if (spin_thread) {
       group = node_base->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
-      // What is handed over within the program would not wake it.
+      // Messages that are passed within the process would not wake the group.
       for (auto* changed : {&options, &static_options}) {
         changed->callback_group = group;
         changed->use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;

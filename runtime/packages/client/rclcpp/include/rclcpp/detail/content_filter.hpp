@@ -43,7 +43,7 @@ class ContentFilter {
   struct Operand {
     /// Empty for a literal.
     std::vector<Step> path;
-    /// Of a field its kind only.
+    /// The value of a literal. For a field only its kind is set.
     Value literal;
   };
   enum class Operator : uint8_t {

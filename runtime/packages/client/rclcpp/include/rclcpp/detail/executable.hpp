@@ -1,4 +1,5 @@
-// What an executor runs: subscriptions, services, clients, timers, waitables.
+// Base class of everything that an executor runs: subscriptions, services, clients, timers,
+// waitables.
 #pragma once
 
 #include <atomic>
@@ -13,9 +14,9 @@ class Executable {
   virtual ~Executable() = default;
   /// The bus endpoint whose data makes it ready; -1: none.
   virtual int32_t ready_endpoint() const { return -1; }
-  /// Whether is_ready_now must be asked at every turn.
+  /// Whether the executor must call is_ready_now at every turn.
   virtual bool polls() const { return false; }
-  /// Of one that polls: it must be asked only after the status version of the bus has changed.
+  /// If it polls: is_ready_now is needed only after the status version of the bus has changed.
   virtual bool follows_status() const { return false; }
   /// Ready for a reason of its own.
   virtual bool is_ready_now() { return false; }

@@ -1,5 +1,6 @@
-// What a subscription, service or client takes from. While someone wants to be told of what comes,
-// it is fetched from the bus to be counted, and kept here until it is taken.
+// The source from which a subscription, service or client takes its messages. While a callback
+// listens for new messages, they are fetched from the bus to be counted, and stored here until they
+// are taken.
 #pragma once
 
 #include <atomic>

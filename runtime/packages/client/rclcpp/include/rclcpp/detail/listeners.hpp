@@ -1,6 +1,6 @@
-// Who wants to be told of what comes as soon as it comes, outside executors: the callbacks of
-// `set_on_new_..._callback`. Nothing runs in a program by itself, so whoever waits in the process
-// (an executor, a wait set, a sleep) looks for all of them, before and after.
+// The callbacks of `set_on_new_..._callback`, which are called as soon as something arrives,
+// outside executors. Nothing runs in a program by itself, so every wait in the process (an
+// executor, a wait set, a sleep) checks for all of them, before and after the wait.
 #pragma once
 
 #include <functional>

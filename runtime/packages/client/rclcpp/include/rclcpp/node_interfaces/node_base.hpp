@@ -15,7 +15,7 @@ class NodeEntry;
 namespace rclcpp {
 namespace node_interfaces {
 
-/// What a node's options say about its identity.
+/// The part of a node's options that NodeBase uses.
 struct NodeBaseOptions {
   std::vector<std::string> arguments;
   bool use_global_arguments = true;

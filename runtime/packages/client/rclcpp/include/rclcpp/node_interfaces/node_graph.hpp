@@ -1,4 +1,4 @@
-// What a node sees of the graph, for real.
+// The implementation of NodeGraphInterface.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a node sees of the graph.
+// A node's view of the graph: the names, types and endpoints of all nodes.
 #pragma once
 
 #include <algorithm>

@@ -28,7 +28,7 @@ struct ParameterInfo {
   rcl_interfaces::msg::ParameterDescriptor descriptor;
 };
 
-/// What a node's options say about its parameters.
+/// The part of a node's options that is about its parameters.
 struct NodeParametersOptions {
   std::vector<rclcpp::Parameter> parameter_overrides;
   bool start_parameter_services = true;

@@ -33,7 +33,7 @@ class SubscriptionTopicStatistics {
   virtual void publish_message_and_reset_measurements();
 
  private:
-  /// Of milliseconds; not a number while there are none.
+  /// Statistics of samples in milliseconds; not a number while there are no samples.
   struct Samples {
     uint64_t count = 0;
     double average = 0;

@@ -1,4 +1,4 @@
-// What all containers do once they have their manager and its executor.
+// The main function of all containers, after they have made their manager and its executor.
 #pragma once
 
 #include <memory>

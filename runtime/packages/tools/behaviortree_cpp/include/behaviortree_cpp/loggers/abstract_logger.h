@@ -1,4 +1,4 @@
-// Whoever is told of each change of a tree's nodes.
+// Base class of loggers: they are called at each status change of a tree's nodes.
 #pragma once
 
 #include <vector>

@@ -17,7 +17,7 @@ unexpected_type<std::decay_t<ErrorT>> make_unexpected(ErrorT&& error) {
   return {std::forward<ErrorT>(error)};
 }
 
-/// Of asking for a value that is not there.
+/// Thrown when a value is asked for that is not there.
 class bad_expected_access : public std::logic_error {
  public:
   explicit bad_expected_access(const std::string& why) : std::logic_error(why) {}

@@ -40,7 +40,7 @@ template <typename C>
 struct ParametersOf<C, std::void_t<decltype(&C::operator())>>
     : ParametersOf<decltype(&C::operator())> {};
 
-/// Of one event of each message, whether a callback that changes the message gets a copy.
+/// Takes one event of each message, and whether a callback that changes the message gets a copy.
 template <typename... Ms>
 using EventCallback = std::function<void(const MessageEvent<const Ms>&..., bool)>;
 

@@ -1,5 +1,5 @@
-// Which messages of several topics belong together. Messages are only what they are kept by here:
-// a pointer to anything, and a time in ns.
+// Which messages of several topics belong together. A message is only two things here: a pointer to
+// anything, and a time in ns.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ using Held = std::shared_ptr<const void>;
 /// One for each topic; null where there is none.
 using Row = std::vector<Held>;
 
-/// What came of a message, in this order.
+/// The results of adding a message, in the order of reporting: sets that match, then dropped ones.
 struct Outcome {
   std::vector<Row> matched;
   std::vector<Row> dropped;
@@ -149,7 +149,7 @@ class ApproximateMatch {
   /// Whether the candidate is the best even if every topic's next message came as early as it may.
   bool is_best_of_all();
   void forget_passed();
-  /// Of the heads.
+  /// From the earliest to the latest of the topics' next messages.
   [[nodiscard]] Interval interval() const;
   /// The time of a topic's next message, or the earliest that it can have.
   [[nodiscard]] int64_t earliest(const Topic& topic) const;

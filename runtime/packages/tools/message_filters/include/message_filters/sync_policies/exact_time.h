@@ -23,7 +23,7 @@ class ExactTime : public detail::MatchPolicy<detail::ExactMatch, Ms...> {
     return this->dropped_.addCallback(callback...);
   }
 
-  /// Of the last set; zero before the first.
+  /// The time of the last set; zero before the first.
   rclcpp::Time getLastSignalTime() const {
     const auto last = this->match_.last();
     return last ? rclcpp::Time(*last, RCL_ROS_TIME) : rclcpp::Time();

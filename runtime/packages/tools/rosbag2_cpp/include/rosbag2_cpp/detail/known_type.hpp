@@ -9,9 +9,9 @@
 namespace rosbag2_cpp {
 namespace detail {
 
-/// Null, of a type that is only a name, is nothing.
+/// Ignores null, which a type has that is known by its name only.
 void know_type(const ros2wasm_typesupport::TypeInfo* info);
-/// Of those, and of what the program's nodes publish and subscribe to. Null: it knows none.
+/// Searches those, and the types that the program's nodes publish and subscribe to. Null: unknown.
 const ros2wasm_typesupport::TypeInfo* find_known_type(const std::string& name);
 
 /// Known from the program's start, as a topic may be created before its first message.

@@ -1,4 +1,4 @@
-// What rosbag2_cpp::Reader reads with.
+// Interface of the implementations behind rosbag2_cpp::Reader.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What rosbag2_cpp::Writer writes with.
+// Interface of the implementations behind rosbag2_cpp::Writer.
 #pragma once
 
 #include <memory>

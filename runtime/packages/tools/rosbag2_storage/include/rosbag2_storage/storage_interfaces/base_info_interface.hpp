@@ -1,4 +1,4 @@
-// What a storage says of itself.
+// Interface to the metadata of a storage.
 #pragma once
 
 #include <cstdint>

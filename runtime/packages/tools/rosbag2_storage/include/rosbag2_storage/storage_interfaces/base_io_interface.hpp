@@ -1,4 +1,4 @@
-// What is opened.
+// Base interface of storages that can be opened.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What messages are read from, and in which order.
+// Interface of storages from which messages are read, in an order that can be set.
 #pragma once
 
 #include <memory>

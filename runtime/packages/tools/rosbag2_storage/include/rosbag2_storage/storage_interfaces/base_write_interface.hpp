@@ -1,4 +1,4 @@
-// What messages are written to.
+// Interface of storages to which messages are written.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace storage_interfaces {
 class BaseWriteInterface {
  public:
   virtual ~BaseWriteInterface() = default;
-  /// Of a topic that was created.
+  /// The message's topic must have been created.
   virtual void write(std::shared_ptr<const SerializedBagMessage> msg) = 0;
   virtual void write(const std::vector<std::shared_ptr<const SerializedBagMessage>>& msgs) = 0;
   virtual void update_metadata(const BagMetadata& bag_metadata) = 0;

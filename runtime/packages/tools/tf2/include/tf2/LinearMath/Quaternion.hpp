@@ -51,7 +51,7 @@ class Quaternion : public QuadWord {
   tf2Scalar length() const { return tf2Sqrt(length2()); }
   Quaternion& normalize() { return *this /= length(); }
   Quaternion normalized() const { return *this / length(); }
-  /// Of a rotation, which has length one.
+  /// The opposite rotation. The quaternion must have length one.
   Quaternion inverse() const { return {-x(), -y(), -z(), w()}; }
 
   /// Half of the angle of the rotation from this one to `q`.
@@ -62,7 +62,7 @@ class Quaternion : public QuadWord {
   tf2Scalar getAngle() const { return 2 * tf2Acos(w()); }
   /// From 0 to pi.
   tf2Scalar getAngleShortestPath() const { return 2 * tf2Acos(tf2Fabs(w())); }
-  /// Of length one; x when there is no rotation.
+  /// The axis, of length one; the x axis when there is no rotation.
   Vector3 getAxis() const {
     const tf2Scalar sine2 = 1 - w() * w();
     return sine2 < 10 * TF2SIMD_EPSILON ? Vector3(1, 0, 0)

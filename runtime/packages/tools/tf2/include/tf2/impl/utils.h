@@ -1,4 +1,4 @@
-// What tf2/utils.hpp makes quaternions with.
+// The functions with which tf2/utils.hpp makes quaternions.
 #pragma once
 
 #include "tf2/utils.hpp"

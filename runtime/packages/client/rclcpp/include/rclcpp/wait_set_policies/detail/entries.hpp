@@ -1,4 +1,5 @@
-// What the constructors of wait sets take where an entity alone does not say it.
+// The entries that the constructors of wait sets take where an entity needs additional data: a mask
+// for a subscription, an associated entity for a waitable.
 #pragma once
 
 #include <memory>

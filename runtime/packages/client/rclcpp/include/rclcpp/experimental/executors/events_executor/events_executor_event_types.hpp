@@ -1,4 +1,4 @@
-// What waits in the queue of an events executor.
+// The events in the queue of an events executor.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ enum ExecutorEventType {
 struct ExecutorEvent {
   /// The entity's address.
   const void* entity_key;
-  /// What runs it; a queue keeps it and hands it back.
+  /// The object that runs the event; a queue stores it and returns it unchanged.
   std::shared_ptr<void> data;
   int waitable_data;
   ExecutorEventType type;

@@ -1,5 +1,5 @@
-// What blocks natively blocks here, and says so once: rates that nobody spins, calls that only the waiting executor could answer.
-// In time that is stepped, so that ten seconds of it take none.
+// Code that blocks on a robot blocks here, and says so once: rates that nobody spins, calls that only the waiting executor
+// could answer. The site's time is stepped, so that ten seconds of it take no real time.
 
 // Compatibility, works: deadlocks of ROS 2: `Client.call` of rclpy in a callback of an executor of one thread or of the client's own
 // callback group, a Rate that nobody spins, simulated time in a callback of a node of one thread; `spin_until_future_complete` of

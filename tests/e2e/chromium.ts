@@ -6,7 +6,7 @@ export function chromiumOptions(extra: readonly string[] = []): LaunchOptions {
   return options(process.env['CHROMIUM_SHELL'] ?? '/usr/bin/chromium-headless-shell', extra);
 }
 
-/** What a visitor has: for what is measured, and what only a whole browser does. */
+/** The browser that a visitor has: for measurements, and for functions that only a whole browser has. */
 export function wholeChromium(extra: readonly string[] = []): LaunchOptions {
   return options(process.env['CHROMIUM'] ?? '/usr/bin/chromium', extra);
 }

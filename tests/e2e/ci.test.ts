@@ -1,4 +1,4 @@
-// What CI does with a workspace: the workflows that `ros2wasm init --ci` writes, and the budget of a site.
+// CI of a workspace: the workflows that `ros2wasm init --ci` writes, and the budget of a site.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';

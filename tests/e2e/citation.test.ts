@@ -1,4 +1,4 @@
-// What a site says of itself for others: licenses, bill of materials, citation and RO-Crate, read by their own tools.
+// The files that describe a site: licenses, bill of materials, citation and RO-Crate, read by their own tools.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// What the compiler warns of is told whole and counted, also when ninja or the cache had nothing to compile.
+// Compiler warnings are printed in full and counted, also when ninja or the cache had nothing to compile.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PackWorkspace } from './pack_workspace.ts';

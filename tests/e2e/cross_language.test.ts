@@ -76,7 +76,7 @@ ${nodes.map((node) => `  - {package: ${node.package}, executable: ${node.executa
 }, { timeout: 600_000 });
 after(() => workspace.close());
 
-/** What each node has yet to say, of those that can run. */
+/** The expected lines that nodes have not printed yet; nodes that cannot run on the link are skipped. */
 function unsaid(link: 'shared' | 'port', texts: (index: number) => readonly string[]): string[] {
   return nodes.flatMap(({ executable, namespace, says = [] }, i) => {
     if (link === 'port' && wantsThreads(namespace)) return [];

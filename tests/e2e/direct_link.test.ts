@@ -78,7 +78,7 @@ test('a program linked without the driver is the one that the driver links', { t
     assert.ok(ours !== undefined && theirs !== undefined);
     assert.deepEqual(ours.imports.filter((one) => theirs.imports.includes(one) || !FOR_TIMED_WAITS.includes(one)), theirs.imports);
     assert.deepEqual(theirs.exports.filter((one) => !ours.exports.includes(one) && !FOR_JAVASCRIPT.includes(one)), []);
-    // Of -O2 only what pays (direct_link.cpp): ROS programs come out smaller than this one, which is the C++ library alone.
+    // Only the passes of -O2 that pay (direct_link.cpp). This program is mostly the C++ library; ROS programs come out smaller.
     assert.ok(ours.size < theirs.size * 1.15, `${String(ours.size)} bytes, the driver's has ${String(theirs.size)}`);
   }
   const kept = readdirSync(calls).filter((name) => !name.endsWith('.o'));

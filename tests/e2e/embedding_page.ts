@@ -31,7 +31,7 @@ export interface FrameOptions {
   readonly height?: number;
 }
 
-/** What the page in the frame answers. */
+/** The answer of the page in the frame. */
 export interface Reply {
   readonly ok: boolean;
   readonly result?: unknown;

@@ -11,7 +11,7 @@ function folderOf(example: string): string {
   return fileURLToPath(new URL(`../../examples/${example}`, import.meta.url));
 }
 
-/** What one must see when it runs: an expression for each of some lines, found in this order. */
+/** The lines that the example must print, as expressions; they come in this order. */
 export function expectedLines(): RegExp[] {
   const lines = readFileSync(join(folderOf(kFirst), 'expected.txt'), 'utf8').trimEnd().split('\n');
   return lines.map((line) => new RegExp(`^${line}$`));

@@ -16,7 +16,7 @@ import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 300_000 };
 const patienceMs = 100_000;
-/** What a busy machine may need; a node that is killed has been there for stopGraceMs. */
+/** Upper bound for a stop on a busy machine; a node that ignores the stop is killed only after stopGraceMs. */
 const soonMs = stopGraceMs * 0.6;
 const ways = ['spin', 'sleep', 'ask'];
 
@@ -59,7 +59,7 @@ for (const [link, isolated] of played(['shared', true], ['port', false])) {
       await press(firefox, 'Type into /ask');
       await firefox.evaluate(until(`${textbox} !== null`));
       await firefox.evaluate(`${textbox}.value = 'an answer', ${textbox}.dispatchEvent(new Event('input', { bubbles: true }))`);
-      // What is typed is there with the next drawing.
+      // The page takes the typed text at its next drawing.
       await firefox.evaluate(`new Promise((resolve) => setTimeout(resolve)).then(() => ${textbox}.form.requestSubmit())`);
       await firefox.seen(/asked and told: an answer/, patienceMs);
       await press(firefox, 'Start /ask');

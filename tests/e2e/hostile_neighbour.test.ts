@@ -226,7 +226,7 @@ test('the victim, then a hostile page beside it, and later visits', watchdog, as
     const first = await assertOwn(context, `${server.url}victim/`);
     await offlineReady(first);
     await attack(context, server.url);
-    // What it opens later comes from the host too.
+    // Files that the page loads later are those of its host, too.
     const script = JSON.parse(readFileSync(join(host, 'victim/site.json'), 'utf8')) as { files: { path: string; sha256: string }[] };
     const later = script.files.filter(({ path }) => path.endsWith('.js'));
     for (const { path, sha256: hash } of later.slice(0, 8)) {

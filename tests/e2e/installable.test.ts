@@ -95,7 +95,7 @@ test('an open page stays as it is when the site changes, until it is loaded agai
   await next.goto(server.url);
   await next.waitForFunction(() => document.title.startsWith('The next version'), null, { timeout: 60_000 });
   await kept(next);
-  // What the open page has not asked for yet is still there, and so is its site.json.
+  // Files of the old version that the open page has not asked for yet are still cached, and so is its site.json.
   assert.equal(await page.evaluate(async (file) => (await fetch(file)).status, graph), 200);
   assert.equal(await page.evaluate(async () => ((await (await fetch('site.json')).json()) as SiteJson).title === 'The next version'), false);
   await page.getByRole('button', { name: 'Open a panel here' }).first().click();

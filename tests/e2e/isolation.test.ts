@@ -26,7 +26,7 @@ let foreign: StaticServer;
 let site: string;
 let probed: string;
 
-/** What a worker finds when it tries what it must not. All at once: a node's worker soon blocks. */
+/** The results of a worker that tries forbidden actions. It tries them all at once: a node's worker soon blocks. */
 interface Probe {
   readonly eval: string;
   readonly construct: string;

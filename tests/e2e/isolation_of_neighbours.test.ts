@@ -84,7 +84,7 @@ test('where a reload does not isolate the page it runs over ports, and is not re
     await page.goto(`${server.url}stubborn/`);
     assert.equal(await heard(page), false);
     assert.equal(loads(), 2);
-    // What the address says stays.
+    // The query and the fragment of the address do not change.
     await page.goto(`${server.url}one/?x=1#y=2`);
     assert.equal(await heard(page), true);
     assert.ok(page.url().endsWith('/one/?x=1#y=2'), page.url());

@@ -1,4 +1,4 @@
-// What a launch file in Python does with lines that nodes print, and nodes that it ends; headless on both links and in Chromium.
+// How a launch file in Python handles lines that nodes print, and nodes that it ends; headless on both links and in Chromium.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-// What a launch file says when its launch is told to end from outside.
+// The OnShutdown handlers of a launch file run when its launch is interrupted from outside.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

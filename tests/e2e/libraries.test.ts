@@ -17,7 +17,7 @@ const PROGRAMS = new Map([
   ...['trees', 'trees_v3'].map((one): [string, string] => [one, 'tree_checks']),
 ]);
 const CHECKS = [...PROGRAMS.keys()];
-/** What `documents` says once its checks hold, when objects end with the thread and with the program. */
+/** The last lines of `documents`, printed when objects end with their thread and with the program. */
 const FAREWELLS = ['the first', 'the last', ...['one', 'two', 'three', 'kept'].map((one) => `the thread's ${one}`)].map((one) => `${one} is gone`);
 const ROBOT = `<?xml version="1.0"?>
 <!-- a column, two arms, a hand that slides, and a wheel that follows the elbow -->

@@ -295,7 +295,7 @@ for (const link of played('port', 'shared')) {
       await page.locator('.terminal-input input').fill('ros2 bag info py_bag');
       await page.locator('.terminal-input input').press('Enter');
       await shows(page, 'Topic: chatter | Type: std_msgs/msg/String | Count: ');
-      // What came before the panel was looked at is there as well.
+      // A bag that was written before the panel was opened is listed as well.
       await page.getByRole('button', { name: /^big_synthetic_bag_0\.mcap / }).waitFor();
     });
   });

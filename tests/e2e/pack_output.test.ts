@@ -16,7 +16,7 @@ before(async () => {
   ws.write('out/README', 'a neighbour of the site');
   const packed = await ws.run(['pack', '-o', 'out/site']);
   assert.equal(packed.code, 0, packed.stderr);
-  // What is packed from here on differs from the old site.
+  // Every later site differs from the old one.
   ws.write('workspace.yaml', 'schema: 1\nname: another\npackages: [src/*]\nlaunch:\n  - {package: quick, executable: hello}\n');
   old = ws.files('out/site');
 });

@@ -1,5 +1,5 @@
-// What a tool meets that is used for years: very many packages and files, compilers that die, clocks that jump, other
-// packs at the same time, an end without warning. The result is right or a clear error, and what stood before stands.
+// Problems that a tool meets in years of use: very many packages and files, compilers that die, clocks that jump, other
+// packs at the same time, an end without warning. The result is right or a clear error, and the old output stays intact.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { lutimesSync, readFileSync, readdirSync, utimesSync } from 'node:fs';

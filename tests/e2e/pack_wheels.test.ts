@@ -1,5 +1,5 @@
-// What Python nodes bring beside ROS packages, through pack and run: wheels that the manifest names by file and by address, and
-// `noarch: python` packages of a channel.
+// Dependencies of Python nodes other than ROS packages, through pack and run: wheels that the manifest names by file and by URL,
+// and `noarch: python` packages of a channel.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, rmSync } from 'node:fs';

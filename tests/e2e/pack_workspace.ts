@@ -13,7 +13,7 @@ export interface Finished {
   readonly stderr: string;
 }
 
-/** Of a run of all tests, begun empty: there the compiler's headers and the channel's packages are made ready once. */
+/** The cache of a run of all tests, empty at first: the compiler's headers and the channel's packages are prepared there once. */
 const SHARED_CACHE = process.env['ROS2WASM_TEST_CACHE'];
 
 export class PackWorkspace {

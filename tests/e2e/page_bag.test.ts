@@ -17,7 +17,7 @@ declare global {
   // Set by page_fake.tsx in the scene "signals".
   var send: (topic: string, type: string, value: unknown) => void;
   var heard: (topic: string) => number;
-  // What a test hears: lengths of messages.
+  // The lengths of the messages that a test receives.
   var lengths: number[];
 }
 

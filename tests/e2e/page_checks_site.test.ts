@@ -8,7 +8,7 @@ import { packedInBrowser } from './packed_in_browser.ts';
 import { withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
-/** What is met: the words of the check, and what is seen. */
+/** Checks that pass: the check, its words on the page, and the value that is seen. */
 const met: readonly (readonly [check: string, words: string, seen: string])[] = [
   ['{node: /robot, parameter: speed, equals: 1.5}', '/robot: parameter speed is 1.5', '1.5'],
   ['{node: /robot, parameter: speed, above: 1, below: 2}', '/robot: parameter speed is above 1 and below 2', '1.5'],

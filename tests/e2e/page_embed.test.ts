@@ -32,7 +32,7 @@ test('one panel: no header, no tabs, a link to the whole page with the same view
   await frame.locator('#panel-plot').waitFor();
   assert.deepEqual(await panelsOf(frame), ['panel-plot']);
   assert.equal(await frame.locator('header, [role="tablist"], .strip').count(), 0);
-  // What the panel shows is what the link says.
+  // The panel shows the path that the link names.
   await frame.getByText('/odom.x').first().waitFor();
   assert.equal(await frame.evaluate(() => crossOriginIsolated), false);
   const [whole] = await Promise.all([

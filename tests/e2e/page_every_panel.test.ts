@@ -45,7 +45,7 @@ async function show(id: keyof typeof texts.panels): Promise<void> {
   await page.getByRole('tab', { name: texts.panels[id], exact: true }).click();
 }
 
-/** Of the service that stands open. */
+/** Calls the service that is open in the panel Services. */
 async function call(): Promise<void> {
   const panel = page.locator('.panel-services');
   await panel.getByRole('button', { name: 'Call', exact: true }).click();
@@ -156,9 +156,9 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
     seen: (panel) => text(panel.locator('.cm-content'), 'Answers on topic_c'),
   },
   log: {
-    // What was said before it was there.
+    // A line that was logged before the panel was there.
     act: (panel) => text(panel, /\[controller\]: Driving to/),
-    // And what comes then: a call makes a node say something.
+    // And a line that comes after that: a call makes a node log it.
     async seen(panel) {
       await show('services');
       await call();
@@ -222,7 +222,7 @@ before(async () => {
   page.on('console', (message) => { if (message.type() === 'error' && !message.text().startsWith('[Report Only]')) troubles.push(message.text()); });
   page.on('pageerror', (error) => troubles.push(error.message));
   const tabs = kIds.map((id) => (kShown[id].state === undefined ? id : { [id]: kShown[id].state }));
-  // Of the document itself, beside its own policy. It only reports, as nodes are workers, whose addresses are guarded too.
+  // A second policy for the document. It only reports, because it also covers the addresses of workers, and nodes are workers.
   await page.addInitScript(() => {
     document.addEventListener('securitypolicyviolation', ({ sample }) => {
       if (!/^(Worker constructor|ServiceWorkerContainer register)\|/.test(sample)) console.error(`Trusted Types: ${sample}`);
@@ -243,7 +243,7 @@ after(async () => {
   scratch[Symbol.dispose]();
 });
 
-/** What of the page cannot be reached: text or controls beyond its edge that nothing scrolls, and buttons whose words are cut. */
+/** The parts of the page that cannot be reached: text or controls beyond its edge without scrolling, and buttons with cut words. */
 function cutOff(): Promise<readonly string[]> {
   return page.evaluate(() => {
     const scrolls = (from: Element): boolean => {

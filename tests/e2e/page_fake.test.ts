@@ -283,7 +283,7 @@ test('standard input', () =>
       await page.getByRole('textbox', { name: 'Standard input of /talker' }).inputValue(),
       '',
     );
-    // What is selected is copied; else Ctrl-C is the signal. Ctrl-D sends what is typed, or the end.
+    // Ctrl-C copies a selection; without one it is the signal. Ctrl-D sends the typed text, or the end of input.
     await page.keyboard.type('part');
     await page.keyboard.press('Control+a');
     await page.keyboard.press('Control+c');

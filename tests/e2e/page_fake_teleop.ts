@@ -11,7 +11,7 @@ export interface Heard {
   readonly topic: string;
   readonly linear: number;
   readonly angular: number;
-  /** Of a TwistStamped. */
+  /** Set for a TwistStamped only. */
   readonly frame?: string;
   readonly sec?: number;
 }

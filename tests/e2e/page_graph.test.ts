@@ -47,7 +47,7 @@ test('nodes, topics and actions are drawn without what is hidden, with live rate
       'Topic /robot/cmd_vel, 12.0 Hz', 'Topic /robot/odom, 29.9 Hz', 'Topic /robot/scan, 10.0 Hz', 'Topic /tf',
     ]);
     assert.deepEqual(await page.locator('.graph-group-name').allTextContents(), ['/robot']);
-    // Of one publisher on its wire; of two on the wire to the reader.
+    // The rate of one publisher is on its wire; the rate of two is on the wire to the reader.
     assert.deepEqual((await page.locator('.graph-rate').allTextContents()).sort(), ['10.0 Hz', '12.0 Hz', '29.9 Hz']);
     await page.evaluate(() => fake.setTopics([{ name: '/robot/scan', type: 'sensor_msgs/msg/LaserScan', rateHz: 5 }]));
     await page.locator('.graph-rate').getByText('5.00 Hz').waitFor();
@@ -58,7 +58,7 @@ test('nodes, topics and actions are drawn without what is hidden, with live rate
     for (const name of ['Topic /rosout', 'Topic /navigate/_action/feedback']) await box(page, name).waitFor();
     await page.getByRole('checkbox', { name: 'Groups' }).uncheck();
     await page.locator('.graph-group').waitFor({ state: 'detached' });
-    // What was asked for is kept, as in a link.
+    // The options are stored, as in a link.
     await page.reload();
     await box(page, 'Node /_ros2wasm_page').waitFor();
     assert.equal(await page.locator('.graph-group').count(), 0);
@@ -105,7 +105,7 @@ test('services are drawn when they are asked for, but for those that every node 
     await expectAccessible(page);
     await details.getByRole('button', { name: '/adder' }).click();
     await page.getByRole('region', { name: 'Details of /adder' }).getByRole('button', { name: '/add', exact: true }).waitFor();
-    // What was asked for is kept, as in a link.
+    // The options are stored, as in a link.
     await page.reload();
     await box(page, 'Node /planner').waitFor();
     assert.equal(await page.getByRole('checkbox', { name: 'Services' }).isChecked(), true);

@@ -37,11 +37,11 @@ after(async () => {
 interface Focus {
   /** Empty when nothing on the page has the focus. */
   readonly name: string;
-  /** What is wrong with how it is seen; empty: it is. */
+  /** Why the focus cannot be seen; empty: it is seen. */
   readonly unseen: string;
 }
 
-/** What has the focus, as who cannot see the page hears it, and whether who sees it finds it. */
+/** The name that a screen reader reads for the focused element, and whether the focus can be seen. */
 function focus(): Promise<Focus> {
   return page.evaluate(() => {
     let element = document.activeElement;
@@ -76,7 +76,7 @@ function focus(): Promise<Focus> {
 /** Presses a key, after which the focus is somewhere and is seen. */
 async function press(key: string): Promise<string> {
   await page.keyboard.press(key);
-  // What is shown anew takes the focus in the next frame.
+  // An element that is shown again takes the focus in the next frame.
   await page.evaluate(() => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go))));
   const { name, unseen } = await focus();
   assert.notEqual(name, '', `after ${key} the focus is lost`);

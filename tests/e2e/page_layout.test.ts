@@ -300,7 +300,7 @@ test('links bring what panels show: a filter, a message, a request, a line that 
     assert.equal(await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).inputValue(), '{linear: {x: 0.5}}');
     assert.equal(await page.getByRole('textbox', { name: 'Command' }).inputValue(), 'ros2 topic list <b>');
     assert.equal(await page.getByText('$ ros2 topic list').count(), 0);
-    // What is written is in the next link, once it is left.
+    // The written text is in the next link, once its field has lost the focus.
     await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).fill('{angular: {z: 2}}');
     await page.getByRole('searchbox', { name: 'Filter lines' }).fill('world');
     assert.match(fieldsOf(await copyLink(page)).get('layout') ?? '', /"text":"world".*"message":"\{angular: \{z: 2\}\}"/);

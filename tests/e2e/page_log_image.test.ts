@@ -93,7 +93,7 @@ test('a hundred thousand lines that consoles have are in the log, and few of the
     await lines.focus();
     await page.keyboard.press('Home');
     await lines.getByText('line 0', { exact: true }).waitFor();
-    // What comes now stands behind them; the reader stays where they read.
+    // New lines come after them; the view does not scroll away from the reader's place.
     const say = (msg: string): Promise<void> => page.evaluate((text) => globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
       stamp: { sec: 1700000001, nanosec: 0 }, level: 20, name: 'talker', msg: text, file: '', function: '', line: 0,
     }), msg);

@@ -1,4 +1,4 @@
-// What a visitor does with nodes of a page.
+// Actions of a visitor on the nodes of a page.
 
 import type { Page } from 'playwright-core';
 

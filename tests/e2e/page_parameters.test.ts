@@ -118,7 +118,7 @@ test('what the node refuses is told with its reason, and the old value stays', (
     await says(page, 'speed of /robot', '1.5');
     await expectAccessible(page);
     await page.screenshot({ path: join(kOutput, 'parameters.png') });
-    // What is not a number is not even asked for, and stays to be mended; Escape brings the value back.
+    // A text that is not a number is not sent to the node, and stays to be corrected; Escape brings the value back.
     await speed.fill('fast');
     await speed.press('Enter');
     await row(page, 'speed').getByText('Not set to fast: not a number').waitFor();

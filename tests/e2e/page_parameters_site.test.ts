@@ -87,7 +87,7 @@ for (const link of played('port', 'shared')) {
       await page.keyboard.press('ArrowRight');
       await says(page, 'gain of /tuned', '9');
       assert.equal(await page.getByRole('textbox', { name: 'serial of /tuned' }).getAttribute('readonly'), '');
-      // What others set is followed, and what is set here is what they see.
+      // The panel follows values that others set, and others see values that are set here.
       const type = async (line: string): Promise<void> => {
         await page.waitForSelector('.terminal-input input:not([readonly])');
         await page.locator('.terminal-input input').fill(line);

@@ -149,9 +149,12 @@ function plotOf(page: Page) {
   return page.getByRole('application', { name: /^Plot of/ });
 }
 
-/** What the saved drawing shows of /sine.list[0], whose values rise by one from sample to sample: how many values high it is, and how many samples wide. */
+/**
+ * The part of /sine.list[0] that the saved drawing shows: its height in values and its width in samples. The values rise by one
+ * from sample to sample.
+ */
 async function seen(page: Page): Promise<{ values: number; samples: number }> {
-  // What keys and pointer asked for is drawn by then.
+  // The changes by keys and pointer are drawn by then.
   await page.waitForTimeout(150);
   const path = /d="([^"]*)" fill="none" stroke="#b3261e"/.exec(await saved(page, 'Drawing (SVG)'))?.[1] ?? '';
   const heights = [...path.matchAll(/[ML][\d.-]+ ([\d.-]+)/g)].map(([, y]) => Number(y));

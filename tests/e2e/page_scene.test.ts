@@ -24,7 +24,7 @@ before(async () => {
 
 after(() => stage.close());
 
-// What the software driver says when a picture of the page is taken.
+// Warnings of the software driver when a picture of the page is taken.
 const kDriver = /GL Driver Message|GPU stall/;
 
 const withScene = (state: unknown): string =>
@@ -141,7 +141,7 @@ test('scenes of hostile frames neither hang nor throw, and say what is wrong', (
     await page.waitForFunction(() => heard('/tf') > 0);
     await publish(page, '/tf', 'tf2_msgs/msg/TFMessage', arm);
     await page.getByText('3 frames', { exact: true }).waitFor();
-    // What is latched comes again.
+    // Latched transforms come again.
     await page.getByRole('button', { name: 'Forget all frames' }).click();
     await page.getByText('2 frames', { exact: true }).waitFor();
   }));
@@ -233,7 +233,7 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
         (count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count, drawn,
       );
     };
-    // What was said once stays when other topics go and come, and in other colours.
+    // Messages that came once stay drawn when other topics go and come, and in other colours.
     const scan = panel.getByRole('checkbox', { name: '/scan' });
     await redrawn(() => scan.uncheck());
     assert.ok((await pixels(page, 'blue')) > blue * 0.7);
@@ -246,7 +246,7 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
       await redrawn(() => panel.getByRole('checkbox', { name }).uncheck());
     assert.ok((await pixels(page, 'blue')) < blue / 2);
     assert.notDeepEqual(await panel.locator('.scene-canvas').screenshot(), all);
-    // What was chosen stays chosen.
+    // The choice of topics is the same after a reload.
     await page.reload();
     await panel.getByRole('checkbox', { name: '/scan' }).waitFor();
     assert.equal(await panel.getByRole('checkbox', { name: '/scan' }).isChecked(), false);

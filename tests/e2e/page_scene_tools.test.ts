@@ -9,7 +9,7 @@ import { PageStage, expectAccessible } from './page_stage.ts';
 import { pixels } from './scene_pixels.ts';
 
 const kOutput = fileURLToPath(new URL('../output', import.meta.url));
-// What the software driver says when a picture of the page is taken.
+// Warnings of the software driver when a picture of the page is taken.
 const kDriver = /GL Driver Message|GPU stall/;
 let stage: PageStage;
 

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import * as esbuild from 'esbuild';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
-/** Of a run of all tests, begun empty: the page is built once for all of them. */
+/** The cache of a run of all tests, empty at first: the page is built there once for all of them. */
 const kSharedCache = process.env['ROS2WASM_TEST_CACHE'];
 
 /** The built page: everything as in a site, but the session. Returns the folder. */
@@ -49,7 +49,7 @@ async function build(folder: string): Promise<string> {
   });
   await esbuild.build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css'), panels: join(ui, 'styles/panels.css') }, outdir: folder });
   for (const file of ['icon.svg', 'app.webmanifest']) copyFileSync(join(ui, file), join(folder, file));
-  // What a real session fetches first is not there.
+  // The files that a real session preloads are not there.
   const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(
     /<link rel="(module)?preload".*\n/g,
     '',

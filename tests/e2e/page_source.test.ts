@@ -163,7 +163,7 @@ for (const [link, isolated] of played(['shared', true], ['port', false])) {
     await page.waitForFunction(() => (document.querySelector('[aria-label*="hear"][role="log"]')?.textContent ?? '').endsWith('heard packed words'));
     assert.equal(await badge.count(), 0);
 
-    // What is refused is not applied, and can be reset.
+    // A refused text is not applied, and can be reset.
     await write(page, `#${'x'.repeat(200_000)}`);
     await page.keyboard.press('Control+s');
     await page.getByText('This is more than the browser keeps of a site').first().waitFor();
@@ -228,7 +228,7 @@ test('keyboard, hostile names, links, a narrow page, axe-core in both themes', w
     await page.keyboard.press('Escape');
     await page.keyboard.press('Tab');
     await page.waitForFunction(() => document.activeElement?.classList.contains('source-editor') === false);
-    // What is looked for is found in all files, in changed ones as they are now.
+    // The search covers all files, and changed ones in their current form.
     const search = page.getByRole('searchbox', { name: 'Search all files' });
     const hits = page.getByRole('group', { name: 'Lines that have the text' });
     await search.fill('print(');
@@ -258,7 +258,7 @@ test('keyboard, hostile names, links, a narrow page, axe-core in both themes', w
     await page.goto(link);
     await page.getByText(/Who made this link had changed sources, which are not in it: src\/<img src=x/).waitFor();
     await editorOf(page).getByText('</style><script>').waitFor();
-    // What somebody else on the host may have left there.
+    // Entries that another site on the same host may have stored there.
     await page.evaluate((path) => {
       for (const [key, value] of [['lib/lab_py/talk.py', '{"of":1}'], ['lib/lab_py/hear.py', 'no JSON'], [path, '{"of":"another","text":"old"}']] as const) {
         localStorage.setItem(`ros2wasm.source ${new URL('.', location.href).pathname} ${key}`, value);

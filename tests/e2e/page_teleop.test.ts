@@ -262,7 +262,7 @@ test('TwistStamped is taken from the graph or chosen, with the time of the site'
     await page.getByRole('checkbox', { name: 'TwistStamped' }).uncheck();
     await page.getByText('Nobody waits for geometry_msgs/msg/Twist on /z/cmd_vel yet.').waitFor();
     await topic.fill('/no name');
-    // What comes on the graph meanwhile leaves alone what is being typed.
+    // A topic that appears in the meantime does not change the text that is being typed.
     await page.evaluate(() => arrive('/more', '/more/cmd_vel', 'geometry_msgs/msg/Twist'));
     await page.waitForFunction(() => document.querySelector('.panel-teleop datalist option[value="/more/cmd_vel"]') !== null);
     assert.equal(await topic.inputValue(), '/no name');

@@ -208,7 +208,7 @@ test('Tab completes and lets go, the arrow keys recall', () =>
     await command(page).press('ArrowDown');
     await command(page).press('ArrowDown');
     assert.equal(await command(page).inputValue(), '');
-    // What was typed is there when the page is opened again.
+    // The history of typed lines is there when the page is opened again.
     await page.reload();
     await command(page).press('ArrowUp');
     assert.equal(await command(page).inputValue(), 'ros2 node list -a');

@@ -89,7 +89,7 @@ test('a lab sheet stands beside its machine: math, images, tables, links that ac
     await text.getByRole('button', { name: 'Start the talker' }).click();
     await page.getByRole('status').getByText('Started /talker').waitFor();
     assert.deepEqual(await page.evaluate(() => fake.asked), ['stop talker-1', 'start talker-1']);
-    // What is published passes the graph.
+    // A message that a link publishes goes over the graph.
     await page.evaluate(() => {
       const heard: string[] = [];
       Object.assign(globalThis, { heardTexts: heard });
@@ -140,7 +140,7 @@ test('links of a lab sheet call, send goals, look at checks, hold time and run c
     await click('look at all');
     await said.getByText('Looking: /topic above 1 Hz (nothing)').waitFor();
     assert.equal(await said.locator('*').count(), 0);
-    // What is decided is said beside the link.
+    // The verdict is shown beside the link.
     await page.evaluate(() => {
       const checks = fake.checks as unknown as { set: (views: unknown[]) => void; views: () => object[] };
       checks.set(checks.views().map((view, index) => (index === 0 ? { ...view, state: 'passed', seen: '2 Hz' } : view)));

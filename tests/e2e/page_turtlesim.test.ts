@@ -55,7 +55,7 @@ interface Shown {
 /** A thick red line across the sheet, 100 pixels below its upper edge. */
 const kLine = { x1: 50, y1: 100, x2: 450, y2: 100, r: 255, g: 0, b: 0, width: 20 };
 const kBlue: Rgb = [69, 86, 255];
-/** Of the simulator. Its line is thin: in a small drawing some of the ground shines through. */
+/** The pen of the simulator. Its line is thin: in a small drawing some of the ground shines through. */
 const kPen: Rgb = [0xb3, 0xb8, 0xff];
 const kOne = [{ name: 'turtle1', x: 5.544445, y: 5.544445, theta: 0, shape: 0 }];
 

@@ -21,7 +21,7 @@ import { msToStop, typeInto } from './page_nodes.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 240_000 };
-/** What a busy machine may need; a node that is killed has been there for stopGraceMs. */
+/** Upper bound for a stop on a busy machine; a node that ignores the stop is killed only after stopGraceMs. */
 const soonMs = stopGraceMs * 0.6;
 const ways = ['spin', 'sleep', 'ask', 'call', 'loop', 'event', 'get', 'compute'];
 
@@ -46,7 +46,7 @@ after(async () => {
   if (folder !== '') rmSync(folder, { recursive: true });
 });
 
-/** What tests/packages/chatter_py/scripts/alone prints, in this order. */
+/** The output of tests/packages/chatter_py/scripts/alone, in this order. */
 const refused = "refused: error[R2W0714]: can't start new thread: this browser cannot suspend a program. Give the work to a timer, to a "
   + 'callback group of a MultiThreadedExecutor, or to a node of its own';
 const wanted = [

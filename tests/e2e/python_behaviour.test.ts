@@ -1,5 +1,5 @@
-// What parts of rclpy do that few nodes use, on both links, in Node.js and in Chromium: rates, options of loggers, what is known about messages, jumps
-// of time, the graph, type descriptions, overridden QoS, calls within callbacks, guard conditions, waitables, queued goals.
+// Parts of rclpy that few nodes use, on both links, in Node.js and in Chromium: rates, options of loggers, information about messages,
+// jumps of time, the graph, type descriptions, overridden QoS, calls within callbacks, guard conditions, waitables, queued goals.
 
 // Compatibility, works: rates, options of loggers, callbacks with message info, jump callbacks, the graph's queries, type
 // descriptions, overridden QoS, `Client.call` in a callback, guard conditions, own waitables and queued goals of rclpy
@@ -35,7 +35,7 @@ before(() => {
 
 after(() => rmSync(folder, { recursive: true }));
 
-/** What tests/packages/chatter_py/scripts/behaviour prints, in this order. */
+/** The output of tests/packages/chatter_py/scripts/behaviour, in this order. */
 const wanted = [
   'ten beats at 50 Hz True',
   'a destroyed rate: Rate cannot sleep because it has been destroyed',

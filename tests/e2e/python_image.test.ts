@@ -49,14 +49,14 @@ after(async () => {
   if (folder !== '') rmSync(folder, { recursive: true });
 });
 
-/** What each node said, by the order of the nodes in the site. */
+/** The report that each node printed, by the order of the nodes in the site. */
 function toldIn(text: string): (Told | undefined)[] {
   const told = [...text.matchAll(/fresh (\{"image".*?\})/g)].map(([, json = '']) => JSON.parse(json) as Told);
   const first = (fits: (one: Told) => boolean): Told | undefined => told.find(fits);
   return [first((one) => one.arguments[0] === 'one'), first((one) => one.arguments[0] === 'two'), first((one) => one.arguments.length === 0)];
 }
 
-/** What every run comes to. `images`: which of the first two nodes began with an image. */
+/** Checks the reports of a run. `images`: whether the first two nodes began with an image. */
 function check(nodes: readonly (Told | undefined)[], images: boolean, since: number): Told[] {
   const [one, two, three] = nodes;
   assert.ok(one !== undefined && two !== undefined && three !== undefined, JSON.stringify(nodes));

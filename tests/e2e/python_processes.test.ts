@@ -36,7 +36,7 @@ for (const link of played('shared', 'port')) {
       `os.system('echo run >&2'): ${why}: nothing was run`, 'system 32512 32512 0 0', `popen ${none}`, `fork os.fork: ${why}`, `execv os.execv: ${why}`, `execlp os.execv: ${why}`,
       `spawnl os.fork: ${why}`, `run ${none}`, `Popen ${none}`, `Process os.fork: ${why}`, 'posix -1',
     ].map((line) => `[starts-1] ${line}`));
-    // What a shell ran would stand here.
+    // The output of a command that a shell ran would be here.
     assert.doesNotMatch(err, /^run$/m);
   });
 }

@@ -1,4 +1,4 @@
-// What Python programs make of signals, and what loops of asyncio do with them and with standard input, on both links.
+// Signals in Python programs and in loops of asyncio, and standard input in these loops, on both links.
 
 // Compatibility, works: `signal.signal` with handlers, SIG_DFL and SIG_IGN, `signal.pause`, `os._exit`; of loops of asyncio
 // `add_signal_handler`, `add_reader` and `connect_read_pipe` for standard input, with rclpy in a task, a thread or `run_in_executor`

@@ -23,17 +23,17 @@ import { msToStop, typeInto } from './page_nodes.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 300_000 };
-/** What a busy machine may need; a node that is killed has been there for stopGraceMs. */
+/** Upper bound for a stop on a busy machine; a node that ignores the stop is killed only after stopGraceMs. */
 const soonMs = stopGraceMs * 0.6;
 const killed = 137;
 const blockedMs = 1000;
 
-/** Ways to wait of tests/packages/chatter_py/scripts/waits; the first is whom `publish` waits for. */
+/** Ways to wait of tests/packages/chatter_py/scripts/waits; the first, `deaf`, is the node that `publish` waits for. */
 const ways = ['deaf', 'spin', 'sleep', 'ask', 'rate', 'call', 'loop', 'publish', 'event', 'join', 'get', 'service', 'future', 'message', 'compute'];
 const idOf = (way: string): string => `${way}-${ways.indexOf(way) + 1}`;
 const waiting = /^waits for ever$/;
 
-/** Who is waited for comes last. Nothing reaches a worker that computes without sharing memory: that one is killed. */
+/** The node that another one waits for is stopped last. Nothing reaches a worker that computes without shared memory: it is killed. */
 const stoppable = (link: 'shared' | 'port'): readonly string[] =>
   [...ways.slice(1), 'deaf'].filter((way) => way !== 'compute' || link === 'shared');
 
@@ -109,7 +109,7 @@ for (const [link, isolated] of played(['shared', true], ['port', false])) {
       await said('asked and told: an answer');
       await page.getByRole('button', { name: 'Start /ask', exact: true }).click();
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
-      // All wait, but for the one whose wait is no begin of a line: that one has said its last when nothing more comes.
+      // `publish` prints nothing when its wait begins: it waits once no more of its "sent" lines come.
       await page.waitForFunction(
         (count) => document.body.textContent.split('waits for ever').length - 1 >= count, ways.length, { timeout: 120_000 });
       await said('sent ');

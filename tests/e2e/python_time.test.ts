@@ -42,10 +42,10 @@ before(() => {
 });
 after(() => rmSync(folder, { recursive: true }));
 
-/** Of real time: longer than a node takes to tell its end. */
+/** Milliseconds of real time, more than a node takes to report its end. */
 const lateMs = 3000;
 
-/** What must end nothing is that real time goes by. */
+/** Lets real time pass, which must not end any wait. */
 function realTime(milliseconds: number): Promise<void> {
   return new Promise((done) => {
     setTimeout(done, milliseconds);
@@ -88,7 +88,7 @@ for (const link of played('shared', 'port')) {
         session.time.step(0.5 * waitMs * 1e6);
         await realTime(1.5 * waitMs);
         assert.deepEqual(texts().filter((text) => text.startsWith(`${way} ends`)), [], 'too early');
-        // What is more than the wait is there when the next one begins: it must stay below the first half.
+        // Time that is stepped beyond the end of this wait counts for the next one: it must stay below the first half.
         session.time.step((0.5 * waitMs + 1) * 1e6);
         const end = line(site, 'passes-1', `${way} ends after`);
         // On a busy machine a node may begin to wait after the first step: it waits that much longer.

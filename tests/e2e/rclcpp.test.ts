@@ -91,7 +91,7 @@ for (const { title, name, programs } of [
   });
 }
 
-/** What tf2_echo prints of base in map, and tf2_monitor of the way there: two metres ahead, turned by a quarter. */
+/** The output of tf2_echo for base in map, and of tf2_monitor for the same frames: two metres ahead, turned by a quarter. */
 const ECHO = [
   /At time \d+\.\d+$/, /- Translation: \[2\.000, 0\.000, 0\.000\]$/, /- Rotation: in Quaternion \[0\.000, 0\.000, 0\.707, 0\.707\]$/,
   /- Rotation: in RPY \(radian\) \[0\.000, -?0\.000, 1\.571\]$/, /- Rotation: in RPY \(degree\) \[0\.000, -?0\.000, 90\.000\]$/, /- Matrix:$/,

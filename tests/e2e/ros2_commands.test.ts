@@ -39,7 +39,7 @@ interface Ran {
 
 class Shell {
   readonly session: Session;
-  /** What the command that runs does with what is typed. */
+  /** The running command's function that takes typed text. */
   type: ((text: string) => void) | undefined;
 
   constructor(session: Session) {

@@ -98,7 +98,7 @@ function copy(name = 'copy', paths: readonly string[] = Object.keys(files)): str
 
 interface Surroundings {
   readonly root: string;
-  /** What is other than at the first pack. */
+  /** The differences from the first pack. */
   readonly changes: readonly string[];
   /** Goes before the program. */
   readonly through?: readonly string[];
@@ -107,7 +107,7 @@ interface Surroundings {
   readonly cache?: string;
 }
 
-/** What all tests together have changed, and how often with how much in the cache. */
+/** The differences that all tests together have tried, and the number of packs with a cold and with a warm cache. */
 const changed = new Set<string>();
 const packs = { cold: 0, warm: 0 };
 

@@ -1,4 +1,4 @@
-// What is seen of a scene, by its colours.
+// Counts the pixels of a drawn scene by colour.
 import type { Page } from 'playwright-core';
 
 /** How many pixels of the drawing have a colour like this. */

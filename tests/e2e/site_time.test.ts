@@ -69,7 +69,7 @@ ${nodes}`);
 }, { timeout: 600_000 });
 after(() => workspace.close());
 
-/** What must end nothing is that real time goes by. */
+/** Lets real time pass, which must not end any wait. */
 function realTime(milliseconds: number): Promise<void> {
   return new Promise((done) => {
     setTimeout(done, milliseconds);
@@ -110,7 +110,7 @@ async function holdAndStep(program: keyof typeof ways, broker: SharedBroker | Po
       session.time.step(0.5 * waitMs * 1e6);
       await realTime(1.5 * waitMs);
       assert.deepEqual(said.filter((text) => text.startsWith(`${way} ends`)), [], 'too early');
-      // What is more than the wait is there when the next one begins: it must stay below the first half.
+      // Time that is stepped beyond the end of this wait counts for the next one: it must stay below the first half.
       session.time.step((0.5 * waitMs + 1) * 1e6);
       const passed = Number(/(\d+) ms$/.exec(await until(new RegExp(`^${way} ends after`)))?.[1]);
       assert.ok(passed >= waitMs && passed <= 1.1 * waitMs, `${way} took ${passed} ms`);

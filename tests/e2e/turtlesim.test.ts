@@ -111,7 +111,7 @@ class Driven {
     return this.newest('/turtle1/pose')?.getFloat32(4 + 4 * index, true) ?? NaN;
   }
 
-  /** What was asked for last: ahead and to the left round. */
+  /** The newest command: speed ahead, and turning to the left. */
   asked(): readonly [number, number] {
     const view = this.newest('/turtle1/cmd_vel');
     return [view?.getFloat64(4, true) ?? NaN, view?.getFloat64(44, true) ?? NaN];

@@ -24,7 +24,7 @@ import { withTabs } from './site_tabs.ts';
 const watchdog = { timeout: 240_000 };
 const headless = fileURLToPath(new URL('../../runtime/site/session/headless.ts', import.meta.url));
 const often = Array.from({ length: 500 }, (_, i) => `${i}\n`).join('');
-/** What tests/packages/chatter_py/scripts/files writes. */
+/** The files that tests/packages/chatter_py/scripts/files writes. */
 const wanted: Readonly<Record<string, string>> = {
   'logs/kept_open.csv': 'time,x\r\n', 'often.csv': often, 'map.pgm': 'P5 1 1 255\n\x7f', 'poses.new': 'at home', 'poses.txt': 'at home',
 };
@@ -41,7 +41,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** What a headless run prints, and what lies in the folder of `--bags` after it. */
+/** The output of a headless run, and the files in the folder of `--bags` after it. */
 async function runWithBags(site: string, link: string): Promise<{ readonly out: string; readonly files: Readonly<Record<string, string>> }> {
   const kept = mkdtempSync(join(tmpdir(), 'ros2wasm-output-'));
   try {
@@ -89,7 +89,7 @@ ${nodes.map((name) => `  - {package: file_checks, executable: ${name.replace(/-.
       const { out, files } = await runWithBags(join(workspace.root, `site_${link}`), link);
       for (const name of nodes) {
         assert.match(out, new RegExp(`^\\[${name}\\] /home/user/large\\.bin is too large to be handed to the page$`, 'm'));
-        // What is static is destroyed.
+        // Static objects are destroyed.
         assert.match(out, new RegExp(`^\\[${name}\\] farewell$`, 'm'));
       }
       const all = { ...wanted, 'read_later.txt': 'not yet, but now' };

@@ -1,4 +1,4 @@
-// What tests of bags share: bags in memory, and waiting.
+// Helpers for tests of bags: bags in memory, and waiting.
 
 import type { BagSource } from '../../../runtime/site/bag/bag_file.ts';
 

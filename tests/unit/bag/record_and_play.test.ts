@@ -1,5 +1,5 @@
-// What the page records is read back by @mcap/core, its messages by @foxglove/rosmsg2-serialization; played again it is
-// heard. Over a real graph on which the page is alone.
+// A bag that the page recorded is read back by @mcap/core, its messages by @foxglove/rosmsg2-serialization; when it is played,
+// its messages are received. Over a real graph on which the page is alone.
 
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -184,7 +184,7 @@ describe('playing', () => {
     assert.equal(player.sent, 202);
     const [offered] = session.graph().nodes.flatMap(({ publishers }) => publishers.filter(({ name }) => name === '/map'));
     assert.equal(offered!.qos.durability, 'transient_local');
-    // Who comes late has what is latched.
+    // A late subscription receives the latched message.
     const map = listen(session, '/map', true);
     await until(() => map.length === 1);
     player.play();

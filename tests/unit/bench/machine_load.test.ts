@@ -1,4 +1,4 @@
-// What of a machine's time others took.
+// The share of a machine's time that other processes took.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';

@@ -10,9 +10,9 @@ test('a page is interactive after the last long task before 500 ms without one',
   assert.deepEqual(interactive(load()), { at: 100, blocked: 0 });
   assert.deepEqual(interactive(load([10, 90])), { at: 100, blocked: 0 });
   assert.deepEqual(interactive(load([200, 300], [400, 460])), { at: 460, blocked: 60 });
-  // Behind the quiet it no longer counts; just before its end it does. Tasks come in any order.
+  // A task after the quiet time no longer counts; one just before its end does. Tasks come in any order.
   assert.deepEqual(interactive(load([800, 900], [200, 300])), { at: 300, blocked: 50 });
   assert.deepEqual(interactive(load([799, 900], [200, 300])), { at: 900, blocked: 101 });
-  // Of a task in which the first paint falls, what follows it.
+  // If the first paint is within a task, only the part of the task after the paint counts.
   assert.deepEqual(interactive(load([50, 250])), { at: 250, blocked: 100 });
 });

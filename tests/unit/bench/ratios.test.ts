@@ -1,4 +1,4 @@
-// The recorded ratios to a peer: the newest landing is no slower than those before it, or says why.
+// The recorded ratios to a peer: the newest landing must not be slower than those before it, or must say why.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -15,7 +15,7 @@ after(() => rmSync(folder, { recursive: true }));
 addPythonFiles(folder, {});
 const library = join(folder, 'pyodide/python_stdlib.zip');
 
-/** What Python says when rclpy is imported as by a node that starts. */
+/** The result of Python code (JSON) after rclpy was imported as at the start of a node. */
 function told(code: string): unknown {
   const program = join(folder, 'look.mjs');
   writeFileSync(program, `

@@ -21,7 +21,7 @@ function makeImage(to: string, environment: NodeJS.ProcessEnv = {}): string {
   return createHash('sha256').update(readFileSync(to)).digest('hex');
 }
 
-/** What Python prints that begins in that folder. */
+/** The result of code, as text, in a Python that starts from that folder. */
 function printed(pyodide: string, code: string, environment: NodeJS.ProcessEnv = {}): string {
   const program = join(folder, 'look.mjs');
   writeFileSync(program, `

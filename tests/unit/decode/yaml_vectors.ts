@@ -1,5 +1,5 @@
-// What PyYAML 6 prints for `yaml.dump({'data': TEXT}, allow_unicode=True, width=inf)` after "data: ", and for
-// floats: the emitter behind `ros2 topic echo`.
+// The output of PyYAML 6 for `yaml.dump({'data': TEXT}, allow_unicode=True, width=inf)` after "data: ", and for
+// floats. `ros2 topic echo` uses this emitter.
 
 export const textVectors: readonly (readonly [text: string, yaml: string])[] = [
   ['Hello World: 0', "'Hello World: 0'"],

@@ -65,7 +65,7 @@ class NotebookTest(BusTest):
             'import sys\nprint("a", 1)\nprint("b", end="")\nprint("e", file=sys.stderr)', 'print("x\\n" * 2_000_000)')
         self.assertEqual([(event['name'], event['text']) for event in first],
                          [('stdout', 'a 1\n'), ('stderr', 'e\n'), ('stdout', 'b')])
-        # What prints without end is cut.
+        # Output that is too long is cut.
         printed = ''.join(event['text'] for event in second)
         self.assertLess(len(printed), (1 << 20) + 200)
         self.assertIn('the rest is not shown', printed)

@@ -175,7 +175,7 @@ test('completion offers what may stand there', () => {
   ] as const) {
     assert.deepEqual(complete(line, known).choices, choices, line);
   }
-  // What only a node, or the definitions, can tell.
+  // Choices that need a question to a node, or the definitions.
   assert.deepEqual(['ros2 param get talker ', 'ros2 topic pub /t std_msgs/Int8 ', 'ros2 service call /add demo/srv/Add ', 'ros2 action send_goal /c demo/action/Count ',
     'ros2 param get ', 'ros2 topic pub /t std_msgs/msg/Int8 -', 'ls '].map(wanted), [
     { kind: 'parameters', node: '/talker' }, { kind: 'prototype', type: 'std_msgs/msg/Int8' }, { kind: 'prototype', type: 'demo/srv/Add_Request' },

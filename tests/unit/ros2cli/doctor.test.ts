@@ -1,4 +1,4 @@
-// What ros2 doctor makes of a site: why QoS policies do not fit, in rmw's words, exactly where the bus refuses a match; nodes that are not well.
+// `ros2 doctor` in a site: why QoS policies do not fit, in rmw's words, exactly where the bus refuses a match; nodes that failed.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { doctorCommand, misfitReason } from '../../../runtime/site/ros2cli/doctor_commands.ts';

@@ -1,4 +1,4 @@
-// What `--filter` of ros2 topic echo and hz takes: Python's expressions over m, and how they fail.
+// The expressions that `--filter` of ros2 topic echo and hz accepts: Python's expressions over m, and how they fail.
 
 // Compatibility, differs: `--filter EXPR` of `ros2 topic echo` and `ros2 topic hz` -> the expressions of Python that are made of fields,
 // indices, numbers, texts, comparisons, arithmetic, `and`, `or`, `not`, `in`, `x if c else y`, `abs`, `all`, `any`, `bool`, `float`,

@@ -164,7 +164,7 @@ test('again() forgets what was seen and looks at what comes', watchdog, async ()
     assert.equal(checks.views()[0]?.state, 'failed');
     // One alone: the other keeps its verdict.
     const [kept, once] = checks.views();
-    // What a console still shows counts.
+    // Lines that the console still shows count, so it is cleared.
     session.console('talker-1').clear();
     checks.again(1);
     assert.equal(checks.views()[1]?.afterMs, undefined);

@@ -73,7 +73,7 @@ test('a reader that is slow gets all of it', watchdog, async () => {
   const folder = site({ program: 'talker.c' });
   const child = spawn(process.execPath, [script, folder, '--stepped', '--for', '400s', '--trace', `${folder}/trace`], { stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = new Promise((resolve) => child.on('exit', resolve));
-  // What it says last, on the other stream, while more waits than a pipe holds.
+  // Waits for its last line, on the other stream, while stdout has more to send than a pipe can hold.
   await new Promise<void>((resolve) => {
     let err = '';
     child.stderr.on('data', (bytes: Buffer) => {

@@ -21,7 +21,7 @@ test('it ends once each stream has taken what was printed, and not before', asyn
   slow.write('two');
   const ended = exitWhenPrinted(3, [quick, slow], (code) => void seen.push(`exit ${code}`));
   while (held.length > 0) {
-    // Whoever does not wait for it would be gone after this.
+    // If exitWhenPrinted did not wait for the slow stream, it would exit here.
     await new Promise((resolve) => { setImmediate(resolve); });
     held.shift()?.();
   }

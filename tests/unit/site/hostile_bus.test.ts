@@ -17,7 +17,7 @@ import { slotWord } from '../../../runtime/site/bus/shared_ring.ts';
 
 const watchdog = { timeout: 240_000 };
 const rounds = 400;
-/** Of one call, ms: a loop over what a junk number says would take minutes. */
+/** Upper bound for one call, in ms: a loop whose length is a junk number would take minutes. */
 const longestMs = 2000;
 const room = 4096;
 
@@ -60,7 +60,7 @@ class Scene {
     return new SharedLink({ bus: this.broker.bus, participant: admission.participant, mayBlock: false });
   }
 
-  /** What the others do, over and over. Each call is an action by itself. */
+  /** The actions of the other participants, again and again. Each call is an action by itself. */
   *actions(): Generator<() => unknown> {
     const { a, b, broker: { link }, sampler, heap } = this;
     for (const length of [8, 600, room]) {

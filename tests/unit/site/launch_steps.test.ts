@@ -1,4 +1,4 @@
-// What the launcher does after starts, ends and changes of state, on a host of the test's own; and the messages of managed nodes.
+// The launcher's steps after starts, ends and changes of state, on a host of the test's own; and the messages of managed nodes.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

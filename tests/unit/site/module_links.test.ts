@@ -1,4 +1,4 @@
-// What modules import, found by expressions, against a parser: in every module of the built page.
+// The imports of modules, found by regular expressions, compared with a parser: in every module of the built page.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ interface Source extends Node {
   readonly source?: { readonly value?: unknown } | null;
 }
 
-/** What the module imports, by the parser: at once, and later. */
+/** The imports of the module, by the parser: static ones in `now`, dynamic ones in `later`. */
 function imports(text: string): { readonly now: string[]; readonly later: string[] } {
   const now: string[] = [];
   const later: string[] = [];

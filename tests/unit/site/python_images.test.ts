@@ -1,4 +1,4 @@
-// Who makes the image that Python nodes begin with, who gets it, and what becomes of one that cannot be opened.
+// How the image that Python nodes begin with is made, which nodes get it, and how an image that cannot be opened is handled.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -1,4 +1,4 @@
-// What stays of a topic when its publishers leave, seen through a link that a test directs.
+// The values of a topic that remain when its publishers leave, seen through a link that the test controls.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -1,4 +1,4 @@
-// What the service worker keeps of a site, with a host and a cache of the test's own.
+// The files of a site that the service worker caches, with a host and a cache of the test's own.
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
@@ -31,7 +31,7 @@ interface Asked {
 class Stage {
   readonly files = new Map<string, string>();
   readonly pages = new Map<string, OpenPage>();
-  /** Whoever is on the origin may write to it. */
+  /** Every page of the origin may write to it. */
   readonly cache = new Map<string, Response>();
   online = true;
   /** The status with which the host answers for site.json, with cookies and without; 0: it breaks the connection. */
@@ -85,7 +85,7 @@ class Stage {
     start({ registration: { scope }, clients, addEventListener }, { open: async () => cache }, host);
   }
 
-  /** What a page gets. `opens`: it is a visit of the site, by the page of that id. */
+  /** The response that a page gets. `opens`: it is a visit of the site, by the page of that id. */
   async ask(path: string, client = '', opens = false): Promise<Asked> {
     const { promise, resolve, reject } = Promise.withResolvers<Asked>();
     this.listeners.get('fetch')?.({
@@ -106,7 +106,7 @@ class Stage {
     this.files.set('site.json', JSON.stringify({ files: named }));
   }
 
-  /** What the page does when it is idle. */
+  /** Sends the message `keep`, as the page does when it is idle. */
   keep(): Promise<unknown> {
     return new Promise((answer) => {
       this.listeners.get('message')?.({ data: 'keep', source: { id: '' }, ports: [{ postMessage: answer }], waitUntil: () => undefined });

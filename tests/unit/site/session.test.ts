@@ -170,7 +170,7 @@ for (const link of ['shared', 'port'] as const) {
       assert.deepEqual(await run('--second', 'x'), { kind: 'exited', code: 7 });
       assert.deepEqual(heard.slice(0, 3), ['argument 0: echo', 'argument 1: --second', 'argument 2: x']);
       assert.deepEqual(session.nodes().map((node) => node.id), ['echo-1']);
-      // Who showed it a moment ago may still ask.
+      // A panel that just showed the console may still read it.
       assert.ok(session.console('echo-2').lines().length > 0);
       assert.deepEqual(await run(), { kind: 'exited', code: 7 });
       assert.equal(session.nodes()[0]?.state.kind, 'running');

@@ -101,7 +101,7 @@ test('a node that is restarted while it starts runs', watchdog, async () => {
 });
 
 test('R2W0710: a program for which there is no memory', watchdog, async () => {
-  // What Chromium and Node.js throw when a process has all the memories that it may have.
+  // The error that Chromium and Node.js throw when a process has as many memories as it may have.
   const full = `const { Instance } = WebAssembly;
   WebAssembly.Instance = function (module, imports) {
     if (imports?.ros2wasm === undefined) return new Instance(module, imports);

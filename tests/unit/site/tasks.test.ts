@@ -65,7 +65,7 @@ for (const link of ['shared', 'port'] as const) {
       assert.deepEqual(states(run), [['open', 'open'], ['open']], 'all is looked for anew');
       await told;
       await until(run, ([listen]) => listen?.done === true);
-      // What was published at that moment may have gone by unseen: the student publishes on.
+      // The message of that moment may have been missed, so the student publishes again and again.
       const again = session.node().timer(100, () => void publisher.publish(hi));
       await until(run, (views) => views.every(({ done }) => done));
       again.close();

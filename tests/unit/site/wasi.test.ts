@@ -1,4 +1,4 @@
-// What poll_oneoff tells a program, and what a stop does to a wait for standard input.
+// The events that poll_oneoff returns, and the effect of a stop on a wait for standard input.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -16,7 +16,7 @@ const success = 0;
 const output = 1024;
 const done = 2048;
 
-/** The kinds of the events that a program is told that asks for these. */
+/** The kinds of the events that poll_oneoff returns for the kinds in `asked`. */
 async function told(asked: readonly Kind[], arrival: Arrival, slept: WaitResult, later: boolean): Promise<Kind[]> {
   const memory = new ProgramMemory(new WebAssembly.Memory({ initial: 1 }));
   asked.forEach((kind, i) => {

@@ -1,4 +1,4 @@
-// What of the things that a worker may send is a report: the forms that programs use, and nothing that is merely alike.
+// The messages of a worker that are accepted as reports: only the forms that programs use, nothing that is merely similar.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -112,7 +112,7 @@ class RandomTreesTest(unittest.TestCase):
             target, source = random.choice(frames), random.choice(frames)
             seconds = random.choice([random.uniform(1, TIMES), float(random.randint(1, TIMES))])
             found = buffer.lookup_transform_core(target, source, at(seconds)).transform
-            # What the buffer was asked for is a whole number of nanoseconds.
+            # The time in the buffer's lookup is a whole number of nanoseconds.
             seconds = round(seconds * NS) / NS
             wanted = self.place(target, parents, told, seconds).inverse().then(
                 self.place(source, parents, told, seconds))

@@ -48,7 +48,7 @@ class ThreatTable(unittest.TestCase):
                      "# What works, and what does not"):
             with self.subTest(line):
                 self.assertEqual(unread_claims("tests/a.test.ts", line), [])
-        # Of the kinds of files in which nobody looks, every claim is lost.
+        # A claim in a kind of file that is not read would be lost, so it is reported.
         self.assertEqual(unread_claims("tests/scripts/fresh", "# Compatibility, works: a"), [])
         self.assertEqual(unread_claims("tests/a.xml", "<!-- Compatibility, works: a"), [
             "tests/a.xml:1: `<!-- Compatibility, works: a` looks like a claim, and is none that is read"])

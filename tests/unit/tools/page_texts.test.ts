@@ -53,7 +53,7 @@ export const embedTexts: Translation<typeof english> = {
     assert.doesNotMatch(await code([]), /Ganze Seite/);
     const german = await code([otherTexts(folder)]);
     assert.match(german, /Ganze Seite/);
-    // What it has not is English still.
+    // Texts without a translation are still English.
     assert.match(german, /Stop all/);
     assert.equal(languageOf(`${folder}/`), 'de');
   } finally {

@@ -1,4 +1,4 @@
-// What the graph offers to be called.
+// The services and actions of a graph that can be called.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { endpointsToCall } from '../../../runtime/site/ui/model/callable.ts';

@@ -1,4 +1,4 @@
-// Statuses of /diagnostics: the newest of each name, stale by the site's time; what is no status does no harm.
+// Statuses of /diagnostics: the newest of each name, stale by the site's time; values that are not a status do no harm.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { countLevels, Diagnostics } from '../../../runtime/site/ui/model/diagnostics.ts';

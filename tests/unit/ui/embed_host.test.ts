@@ -1,4 +1,4 @@
-// What a page that shows this one in a frame may have at once comes free again when it did not come about.
+// The limits of a page that shows this one in a frame: a request that failed does not count against them.
 
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';

@@ -1,4 +1,4 @@
-// What an embedding page may ask for: shapes that are known, bounded whatever it sends.
+// The requests that an embedding page may send: only known shapes, bounded whatever it sends.
 // Guarantee, hostile input: a page that shows a site in a frame: what it sends is bounded in size, depth and number, and it acts only
 // when its origin is listed (R2W0750, R2W0751, R2W0752)
 import assert from 'node:assert/strict';

@@ -157,7 +157,7 @@ class FakeConsole implements ConsoleLog {
 }
 
 class FakeTime implements SiteTime {
-  /** What the page asked for: `step 100000000`. */
+  /** The calls of the page: `step 100000000`. */
   readonly asked: string[] = [];
   private held = false;
   private rate = 1;
@@ -274,16 +274,16 @@ export class FakeSession implements Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
   readonly prefix = '/opt/ros/jazzy';
-  /** What the page asked for: `start talker-1`, `input talker-1 text`. */
+  /** The calls of the page: `start talker-1`, `input talker-1 text`. */
   readonly asked: string[] = [];
   private views: readonly NodeView[];
   private shown: readonly TopicView[] = [];
   readonly launchLog = new FakeConsole();
   private readonly consoles = new Map<string, FakeConsole>();
   private readonly last = new Map<string, LastMessage>();
-  /** What launch() was told. */
+  /** The requests to launch(). */
   readonly launches: LaunchRequest[] = [];
-  /** What run() was told. */
+  /** The nodes given to run(). */
   readonly added: AddedNode[] = [];
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
@@ -438,7 +438,7 @@ export class FakeSession implements Session {
     return this.page;
   }
 
-  /** What a test has set, else what the page itself has made. */
+  /** The graph that a test has set, else the graph that the page itself has made. */
   graph(): GraphView {
     const { link } = this.broker;
     return this.shownGraph ?? graphView(link.graphReplica.nodes.values(), link.records(), () => undefined);
@@ -471,7 +471,7 @@ export class FakeSession implements Session {
     this.broker.close();
   }
 
-  // What a test does ------------------------------------------------------------------------------
+  // Functions for tests ---------------------------------------------------------------------------
 
   setGraph(graph: GraphView): void {
     this.shownGraph = graph;

@@ -1,4 +1,4 @@
-// What the graph panel draws and where: hidden things, actions, groups, filters; and that small changes move nothing.
+// The drawing of the graph panel: hidden things, actions, groups, filters, places; small changes move nothing.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { GraphActionView, GraphEndpointView, GraphNodeView, GraphView } from '../../../runtime/site/contract/session.ts';

@@ -1,4 +1,4 @@
-// What "Copy as patch" gives is taken by git and by patch, and makes of the packed files what the visitor sees.
+// git and patch accept the text of "Copy as patch", and it changes the packed files into those that the visitor sees.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -10,7 +10,7 @@ import { type ChangedFile, makePatch } from '../../../runtime/site/ui/model/patc
 
 const tools: readonly (readonly string[])[] = [['git', 'apply', '--whitespace=nowarn', '-'], ['patch', '-p1', '--binary', '--posix'], ['patch', '-p1', '--binary']];
 
-/** What a tool makes of the files with the patch. */
+/** The texts of the files after a tool has applied the patch. */
 function applied(files: readonly ChangedFile[], [tool = '', ...args]: readonly string[]): (string | undefined)[] {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-patch-'));
   try {

@@ -1,4 +1,4 @@
-// What part of a plot is seen, and from which sample to which the keys go.
+// The part of a plot that is seen, and the sample to which the keys move.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { momentBeside, momentNear, movedExtent, pairsWith, zoomedExtent } from '../../../runtime/site/ui/model/plot_view.ts';

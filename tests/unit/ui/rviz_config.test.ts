@@ -1,4 +1,4 @@
-// What an .rviz file says about a scene, and files that say nothing.
+// The scene that an .rviz file describes, and files that describe none.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

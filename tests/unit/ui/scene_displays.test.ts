@@ -1,4 +1,4 @@
-// What a scene makes of messages: places and colours as they are told, and nothing of values that make no sense.
+// The objects that a scene makes from messages: places and colours as in the message, and nothing for values that make no sense.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { InstancedMesh, Matrix4, Mesh, Quaternion, Vector3 } from 'three';
@@ -117,7 +117,7 @@ test('clouds whose sizes lie give what they hold', () => {
   assert.ok(typeof many !== 'string' && many.leftOut === 10);
 });
 
-/** Of place (x, y) and heading. */
+/** A covariance of place (x, y) and heading. */
 function covariance(xx: number, xy: number, yy: number, yaw: number): Float64Array {
   const all = new Float64Array(36);
   [all[0], all[1], all[6], all[7], all[35]] = [xx, xy, xy, yy, yaw];
@@ -181,7 +181,7 @@ test('a covariance that is none draws nothing', () => {
     assert.equal(readCovariance(wrong), null);
     assert.ok(singlePose(named('#fff'))({ header, pose: { pose: pose(4), covariance: wrong } }).object instanceof Mesh);
   }
-  // Of a heading that nobody knows.
+  // The covariance of an unknown heading.
   assert.equal(readCovariance(covariance(0, 0, 0, 1e6))?.heading, Math.PI);
 });
 

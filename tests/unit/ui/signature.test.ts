@@ -1,4 +1,4 @@
-// What the page reads of a signature beside a site, and what it takes for none.
+// The parts of a signature beside a site that the page reads, and texts that it does not accept as a signature.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { claimedSignature } from '../../../runtime/site/ui/model/signature.ts';

@@ -1,4 +1,4 @@
-// What an opened topic works with: pairs of QoS that do not fit, what differs between messages, a message as a command.
+// Functions behind an opened topic: pairs of QoS that do not fit, differences between messages, a message as a command.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createCodec } from '../../../runtime/site/decode/codec.ts';

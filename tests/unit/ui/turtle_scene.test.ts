@@ -1,4 +1,4 @@
-// What a turtle simulator shows: scenes that begin in the middle of a drawing, pictures, and messages that are wrong.
+// The drawing of a turtle simulator: scenes that begin in the middle of a drawing, pictures, and messages that are wrong.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readPicture, readScene, Sheet } from '../../../runtime/site/ui/model/turtle_scene.ts';

@@ -1,4 +1,4 @@
-// Callbacks for a bag of several files: one is called when the next file begins.
+// Callbacks for a bag of several files, called when one of its files is closed.
 #pragma once
 
 #include <functional>

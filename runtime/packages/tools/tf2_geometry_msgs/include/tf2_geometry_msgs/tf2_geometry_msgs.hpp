@@ -364,7 +364,7 @@ inline void doTransform(const geometry_msgs::msg::PoseWithCovarianceStamped& t_i
   t_out.header = transform.header;
 }
 
-/// Adds the velocity that follows from the distance of the frames to the velocity that was there.
+/// The result is the sum of the given velocity and its transform into the target frame.
 template <>
 inline void doTransform(const geometry_msgs::msg::VelocityStamped& t_in,
                         geometry_msgs::msg::VelocityStamped& t_out,

@@ -133,7 +133,7 @@ function writeWhole(writer: CdrWriter, { least, most, bits, signed }: Whole, typ
   const isWhole = typeof value === 'bigint' || (typeof value === 'number' && Number.isInteger(value));
   if (!isWhole) throw new Misfit(path, `a whole number is wanted, not ${kindOf(value)}`);
   const exact = BigInt(value);
-  if (exact < least || exact > most) throw new Misfit(path, `${exact} is no ${type}: ${least} to ${most}`);
+  if (exact < least || exact > most) throw new Misfit(path, `${exact} is not a valid ${type}: ${least} to ${most}`);
   if (bits === 64) {
     if (signed) writer.int64(exact);
     else writer.uint64(exact);

@@ -96,10 +96,10 @@ test('the parts of an action, as they are on the wire', () => {
 
 test('what does not fit says where and why, and throws nothing', () => {
   const cases: readonly (readonly [unknown, string, RegExp])[] = [
-    [{ b: 256 }, 'b', /256 is not a uint8: 0 to 255/],
-    [{ a: -129 }, 'a', /is not an int8/],
+    [{ b: 256 }, 'b', /256 is not a valid uint8: 0 to 255/],
+    [{ a: -129 }, 'a', /is not a valid int8/],
     [{ a: 1.5 }, 'a', /whole number is wanted, not 1.5/],
-    [{ h: -1n }, 'h', /is not a uint64/],
+    [{ h: -1n }, 'h', /is not a valid uint64/],
     [{ i: '1' }, 'i', /a number is wanted, not the text "1"/],
     [{ k: 7 }, 'k', /a text is wanted, not 7/],
     [{ l: 'äb!' }, 'l', /at most 3 bytes/],

@@ -80,8 +80,8 @@ before(async () => {
   workspace.write('workspace.yaml', 'schema: 1\nname: commands\npackages: []\ndependencies: [turtlesim]\nlaunch: commands.launch.py\n');
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
-  assert.match(packed.stderr, /warning\[R2W0415\]: `ros2 topic list \| grep pose` is skipped of the site\n(?:.*\n)*?.*= why: a site has no shell, only the words of one command/);
-  assert.match(packed.stderr, /warning\[R2W0415\]: `ros2 doctor` is skipped of the site/);
+  assert.match(packed.stderr, /warning\[R2W0415\]: `ros2 topic list \| grep pose` is skipped\n(?:.*\n)*?.*= why: a site has no shell, only the words of one command/);
+  assert.match(packed.stderr, /warning\[R2W0415\]: `ros2 doctor` is skipped/);
   workspace.write('record.launch.xml', `<launch>
   <node pkg="turtlesim" exec="turtlesim_node"/>
   <executable cmd="ros2 bag record -o /somewhere/else -a"/>

@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
 
 /** \`exits\`: of two processes that end, the first one is followed. */
 const ONCE = `from launch import LaunchDescription
-from launch.actions import LogInfo, RegisterEventHandler, Shutdown
+from launch.actions import LogInfo, RegisterEventHandler, Shutdown, TimerAction
 from launch.event_handlers import OnProcessExit, OnProcessStart
 from launch_ros.actions import Node
 
@@ -152,7 +152,8 @@ def generate_launch_description():
                                            on_exit=lambda event, context: LogInfo(msg=f'one has ended: {event.process_name}'))),
         RegisterEventHandler(OnProcessExit(
             target_action=client,
-            on_exit=[LogInfo(msg='client is done, all ends'), Shutdown(reason='client done')])),
+            # On a busy machine the client is done before the listener has begun.
+            on_exit=[LogInfo(msg='client is done, all ends'), TimerAction(period=5.0, actions=[Shutdown(reason='client done')])])),
         Node(package='demo_nodes_cpp', executable='talker', output='screen'),
         Node(package='demo_nodes_cpp', executable='add_two_ints_server', output='screen'),
         client,

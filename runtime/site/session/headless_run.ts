@@ -94,9 +94,12 @@ export function parseOptions(argv: readonly string[]): Options {
   };
 }
 
-/** Has every node ended? Undefined while one has not, else whether all ended well. Nodes that still wait then wait for ever. */
-function allEnded(all: readonly NodeView[]): boolean | undefined {
-  const nodes = all.filter(({ state }) => state.kind !== 'waiting');
+/**
+ * Whether all nodes ended well; undefined while one has not ended. Nodes that wait then wait for ever. `launched`: all nodes that
+ * start were started, so a node that is stopped waited when the launch ended, and has nothing to end.
+ */
+function allEnded(all: readonly NodeView[], launched: boolean): boolean | undefined {
+  const nodes = all.filter(({ state }) => state.kind !== 'waiting' && !(launched && state.kind === 'stopped'));
   if (nodes.some(({ state }) => state.kind === 'starting' || state.kind === 'running' || state.kind === 'stopped')) {
     return undefined;
   }
@@ -199,6 +202,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
   });
   const told = new Map<string, NodeView['state']>();
   let stopping = false;
+  let launched = false;
   session.onNodes((nodes) => {
     for (const { id, state, source } of nodes) {
       if (told.get(id) === state) continue;
@@ -212,7 +216,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
         process.stderr.write(`[${id}] ${how}\n`);
       }
     }
-    const well = allEnded(nodes);
+    const well = allEnded(nodes, launched);
     if (stopping && well !== undefined) finish(interrupted);
     // Messages may still be on their way: the time limits of the checks decide.
     else if (checks !== undefined) return;
@@ -258,6 +262,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
 
   if (checks !== undefined) watchChecks(checks, { json: options.json, event, finish });
   session.startAll();
+  launched = true;
   if (options.stepped === undefined) watchStart(session.nodes());
   if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
   let code = await finished;

@@ -106,6 +106,14 @@ test('without conditions it runs until all nodes ended', watchdog, async () => {
   assert.match(died.err, /\[exits-1\] process has died \[exit code 9\]/);
 });
 
+test('a node that still waits when the launch ends does not keep the run', watchdog, async () => {
+  const waits = { event: 'exit', node: 'listener-2' };
+  const { code, err } = await run([site({ program: 'exits.c', rules: { on_exit: 'shutdown' } }, { program: 'listener.c' }, { program: 'exits.c', rules: { start_on: waits } })]);
+  assert.equal(code, 0, err);
+  assert.match(err, /\[listener-2\] process has finished cleanly/);
+  assert.doesNotMatch(err, /exits-3/);
+});
+
 test('Ctrl-C stops the nodes as SIGINT does, and is 130', watchdog, async () => {
   let sent = false;
   const { code, out } = await run([chat()], (text, kill) => {

@@ -4,6 +4,7 @@ import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { nightlyTest } from '../support/nightly.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const NODE = `#include "rclcpp/rclcpp.hpp"
@@ -63,7 +64,7 @@ test('a mistake is told as the compiler tells it', { timeout: 240_000 }, async (
   assert.doesNotMatch(failed.stderr, /pch/);
 });
 
-test('a kept header that is damaged does no harm and is made anew', { timeout: 240_000 }, async () => {
+nightlyTest('a kept header that is damaged does no harm and is made anew', { timeout: 240_000 }, async () => {
   const [header] = keptHeaders();
   writeFileSync(header!, 'not a header');
   workspace.write('src/kept/src/node.cpp', `${NODE}// once more\n`);

@@ -6,6 +6,7 @@ import { chmodSync, cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, rmS
 import { tmpdir } from 'node:os';
 import { basename, dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
+import { nightly, nightlyTest } from '../support/nightly.ts';
 import { CleanRoot } from './clean_root.ts';
 import { CLI, type Finished, finished } from './pack_workspace.ts';
 
@@ -52,7 +53,7 @@ before(async () => {
   deb = one('.deb');
   tarball = one('.tar.gz');
   small = await install('small', false);
-  whole = await install('whole', true);
+  if (nightly) whole = await install('whole', true);
 }, watchdog);
 
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -76,13 +77,13 @@ test('without a compiler, a workspace in C++ is told what to install', watchdog,
 });
 
 // Guarantee, ci: with what it recommends, it compiles, packs and plays a workspace in C++
-test('what it recommends is enough for workspaces in C++', watchdog, async () => {
+nightlyTest('what it recommends is enough for workspaces in C++', watchdog, async () => {
   done(await whole.run(['ros2wasm', 'init', 'mixed', 'robot']));
   done(await whole.run(['ros2wasm', 'pack', '-o', 'site'], '/root/robot'));
   done(await whole.run(['ros2wasm', 'run', 'site', '--checks'], '/root/robot'));
 });
 
-test('a workspace in Python is the same site, with a compiler and without', watchdog, async () => {
+nightlyTest('a workspace in Python is the same site, with a compiler and without', watchdog, async () => {
   done(await whole.run(['ros2wasm', 'init', 'python', 'lab']));
   done(await whole.run(['ros2wasm', 'pack', '-o', 'site'], '/root/lab'));
   const [one, other] = [small, whole].map(({ folder: root }) => join(root, 'root/lab/site'));
@@ -91,7 +92,7 @@ test('a workspace in Python is the same site, with a compiler and without', watc
 });
 
 // Guarantee, ci: the tarball, unpacked in a folder with a space, does the same and gives the same site
-test('the tarball runs from wherever it is unpacked', watchdog, async () => {
+nightlyTest('the tarball runs from wherever it is unpacked', watchdog, async () => {
   done(await whole.run(['dpkg', '--remove', 'ros2wasm']));
   const place = join(whole.folder, 'opt/of mine');
   mkdirSync(place);

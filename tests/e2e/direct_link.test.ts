@@ -5,6 +5,7 @@ import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { nightlyTest } from '../support/nightly.ts';
 import { CLI, PackWorkspace } from './pack_workspace.ts';
 
 const SINGLE = '#include <iostream>\n#include <string>\nint main() { std::cout << std::string("single") << std::endl; }\n';
@@ -55,7 +56,7 @@ const FOR_JAVASCRIPT = ['emscripten_main_thread_process_queued_calls', 'setThrew
 /** Imports, which the loader has, for arguments that the program never passes: seeing that takes most of -O2's time. */
 const FOR_TIMED_WAITS = ['clock_gettime', 'real_timeout'];
 
-test('a program linked without the driver is the one that the driver links', { timeout: 240_000 }, async () => {
+nightlyTest('a program linked without the driver is the one that the driver links', { timeout: 240_000 }, async () => {
   const run = (command: string, args: readonly string[], calls: string): void => {
     const done = spawnSync(command, args, {
       cwd: workspace.root, encoding: 'utf8', env: { ...process.env, ROS2WASM_TOOL_CALLS: calls, ROS2WASM_QUICK_LINK: '', EMCC_DEBUG: '0' },

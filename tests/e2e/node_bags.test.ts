@@ -15,7 +15,7 @@ import { type Browser, chromium } from 'playwright-core';
 import { parse as parseYaml } from 'yaml';
 import { MemorySink } from '../unit/bag/bag_parts.ts';
 import { stringBytes } from '../unit/ui/fake_session.ts';
-import { played } from '../support/nightly.ts';
+import { nightlyTest, played } from '../support/nightly.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 import { shows, withTabs } from './site_tabs.ts';
@@ -265,7 +265,7 @@ for (const link of played('shared', 'port')) {
 }
 
 // Guarantee, same bytes: the bags that nodes write in stepped runs of one seed
-test('two stepped runs of one seed write the same bags', watchdog, async () => {
+nightlyTest('two stepped runs of one seed write the same bags', watchdog, async () => {
   const bags: Map<string, string>[] = [];
   for (const folder of ['stepped-1', 'stepped-2']) {
     const { code, stderr } = await workspace.run(['run', site, '--stepped', '--seed', '7', '--for', '5s', '--bags', folder]);

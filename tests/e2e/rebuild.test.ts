@@ -7,6 +7,7 @@ import { chmodSync, cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, 
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { nightlyTest } from '../support/nightly.ts';
 import { type Finished, PackWorkspace } from './pack_workspace.ts';
 
 const watchdog = { timeout: 500_000 };
@@ -137,7 +138,7 @@ test('what a site carries makes the same site: from a folder, from an archive', 
   }
 });
 
-test('a site of a store, with files in parts, makes the same site', watchdog, async () => {
+nightlyTest('a site of a store, with files in parts, makes the same site', watchdog, async () => {
   const packed = await run(['pack', 'lab', '-o', 'course/lab', '--store', 'course/objects', '--max-file-size', '2']);
   assert.equal(packed.code, 0, packed.stderr);
   const rebuilt = await run(['rebuild', 'course/lab', '-o', 'again']);
@@ -166,7 +167,7 @@ function forged(name: string, bytes: Buffer): string {
 }
 
 // Guarantee, verified: `ros2wasm rebuild` tells sources that do not make the site, and names the files
-test('sources that make another site are told, with the file that differs', watchdog, async () => {
+nightlyTest('sources that make another site are told, with the file that differs', watchdog, async () => {
   cpSync(join(ws.root, 'lab'), join(ws.root, 'other/lab'), { recursive: true });
   cpSync(join(ws.root, 'beside'), join(ws.root, 'other/beside'), { recursive: true });
   ws.write('other/lab/src/lab_nodes/src/count.cpp', (files['lab/src/lab_nodes/src/count.cpp'] ?? '').replace('"counts"', '"others"'));

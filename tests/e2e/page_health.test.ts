@@ -68,7 +68,7 @@ const rows = (page: Page): Promise<string[]> =>
 
 test('statuses stand by level, the worst first, with counts, and what is silent is stale', () =>
   stage.on(diagnostics(), {}, async (page) => {
-    await page.getByText('Nobody has told of the health').waitFor();
+    await page.getByText('No diagnostics have arrived').waitFor();
     // Time stands still, so that nothing grows stale by itself.
     await page.evaluate(() => {
       const view = fake.time.view();
@@ -102,7 +102,7 @@ test('statuses stand by level, the worst first, with counts, and what is silent 
     await levels.getByRole('button', { name: 'Stale 4' }).waitFor();
     await page.getByText('Stale, was Warning').waitFor();
     await page.getByRole('button', { name: 'Clear the diagnostics' }).click();
-    await page.getByText('Nobody has told of the health').waitFor();
+    await page.getByText('No diagnostics have arrived').waitFor();
   }));
 
 const lifecycle = withPanel('lifecycle', 'lifecycle');

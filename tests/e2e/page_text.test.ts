@@ -134,7 +134,7 @@ test('links of a lab sheet call, send goals, look at checks, hold time and run c
     await click('add nothing');
     await said.getByText(/^Not done: .*c/).waitFor();
     await click('nobody');
-    await said.getByText('Not done: nobody offers /none').waitFor();
+    await said.getByText('Not done: no node offers /none').waitFor();
     await click('count');
     await said.getByText('Goal of /count: ').waitFor();
     await click('look at all');

@@ -115,12 +115,12 @@ for (const [host, isolated, serviceWorkers] of [
       await runs(page);
       const policy = await page.evaluate(() => document.querySelector('meta[http-equiv]')?.getAttribute('content') ?? '');
       assert.match(policy, /script-src 'self' 'wasm-unsafe-eval';/);
+      await shows(page, 'from an image: False');
       await page.getByRole('button', { name: /about/i }).first().click();
       const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: 'Licenses' }).first().click()]);
       assert.equal(download.suggestedFilename(), 'LICENSES.txt');
       assert.match(readFileSync(await download.path(), 'utf8'), /^What this site is made of/);
       await page.keyboard.press('Escape');
-      await shows(page, 'from an image: False');
       await eventually('an image is kept', () => page.evaluate(async () => (await (await caches.open('ros2wasm-kept')).keys()).length > 0));
       await page.reload();
       await shows(page, 'from an image: True');

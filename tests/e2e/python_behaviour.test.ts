@@ -46,7 +46,7 @@ const wanted = [
   'no such option: parameter "colour" is not supported',
   "infos [(7, 1), (8, 2)] ['publication_sequence_number', 'received_timestamp', 'reception_sequence_number', 'source_timestamp']",
   'in order of time True',
-  'a step is no jump []',
+  'a step is not a jump []',
   "jumps ['before', ('ROS_TIME_NO_CHANGE', 8), 'before', ('ROS_TIME_NO_CHANGE', -60)]",
   'told no more 4',
   'waits True True False',

@@ -37,7 +37,7 @@ struct PackRequest {
   bool quick = false;           ///< larger programs, linked in a fraction of the time
   bool strict = false;          ///< what the launch file starts and no site can start is an error
   std::filesystem::path store;  ///< folder that sites share; empty: the site has all its files
-  std::uint64_t max_file_size = 0;  ///< larger ones lie in parts; 0: there is no ceiling
+  std::uint64_t max_file_size = 0;  ///< bytes; larger files are split into parts; 0: no limit
   bool precompress = false;         ///< a folder's files have compressed forms beside them
   std::filesystem::path built;      ///< where builds are kept; empty: in the cache
   std::string archive_limits;       ///< see extract_limits.hpp; empty: as the environment says

@@ -29,7 +29,7 @@ int check(Context& context, const Options& options) {
   if (is_absent(path)) {
     return context.console.fail(Diagnostic{
         .code = "R2W0115",
-        .message = "there is no manifest `" + path.generic_string() + "`",
+        .message = "the manifest `" + path.generic_string() + "` does not exist",
         .why = {"`ros2wasm check` reads a workspace.yaml, in this folder or at the given path"}});
   }
   const auto report = check_workspace(

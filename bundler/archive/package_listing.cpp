@@ -129,7 +129,7 @@ Outcome<PackageListing> list_package(const std::filesystem::path& archive,
     } else {
       gathered.listing.faults.push_back(
           {"info/link.json", entry_points.errors().front().why.empty()
-                                 ? "it is not a JSON"
+                                 ? "it is not JSON"
                                  : entry_points.errors().front().why.front()});
     }
   }

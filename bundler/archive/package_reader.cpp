@@ -32,7 +32,7 @@ struct WrittenFile {
 };
 
 Diagnostic refused(DiagnosticCode code, const std::string& name, const std::string& why) {
-  return refused_archive(std::move(code), name, {why, "nothing of it was stored"});
+  return refused_archive(code, name, {why, "nothing of it was stored"});
 }
 
 class Unpacker {

@@ -53,7 +53,7 @@ using PackageBuilder = Outcome<Done>(const PackageBuild& request, const BuildToo
                                      const Cancellation& cancellation,
                                      const ProgressSink& progress);
 
-/// By build type; null for one that nobody builds.
+/// The builder of a build type; null for an unknown one.
 using BuilderOf = PackageBuilder*(std::string_view build_type);
 
 }  // namespace ros2wasm

@@ -71,7 +71,7 @@ Outcome<RawRecord> RecordJson::read(std::string_view text) {
     auto slow = parse_json(text, "its record", "R2W0202");  // which says what is wrong
     if (!slow) return std::move(slow).errors();
     if (!slow->is_object())
-      return Diagnostic{.code = "R2W0202", .message = "it is not a JSON object"};
+      return Diagnostic{.code = "R2W0202", .message = "it is not JSON object"};
     state_->slow = std::move(*slow);
     return raw_record(state_->slow);
   }

@@ -98,7 +98,7 @@ std::optional<std::string> RepodataScanner::feed(std::string_view piece) {
   while (result == Step::kDone) result = step();
   if (result == Step::kFault) {
     return "byte " + std::to_string(passed_ + at_ + 1) +
-           (passed_ == 0 && place_ == Place::kBegin ? ": it is not a JSON object"
+           (passed_ == 0 && place_ == Place::kBegin ? ": it is not JSON object"
                                                     : ": this is not JSON");
   }
   std::string rest(text_.substr(at_));

@@ -42,8 +42,8 @@ struct Download {
   std::function<std::optional<Diagnostic>(const std::filesystem::path&)> fault;
 };
 
-/// The answer of a server for a file: 200 the file is there now, 304 not changed, 404 or 410 there
-/// is no such file. 401 and 403 are passed on, since some servers answer so for missing files.
+/// The server's status for a file: 200 it was fetched, 304 it has not changed, 404 or 410 it does
+/// not exist. 401 and 403 are returned too: some servers send them for missing files.
 struct Downloaded {
   int status = 0;
   std::string etag;

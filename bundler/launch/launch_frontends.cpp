@@ -153,7 +153,7 @@ Outcome<LaunchEntity> read_yaml_launch(std::string_view text, const std::string&
       root.entries.front().key != "launch")
     return not_a_launch_file("a launch file in YAML has one key, `launch`",
                              source.span(root.range.offset, root.range.length),
-                             "below it is a list of actions, such as `- node: {...}`");
+                             "its value is a list of actions, such as `- node: {...}`");
   YamlEntities entities(source);
   LaunchEntity result =
       entities.entity("launch", root.entries.front().key_range, root.entries.front().value);

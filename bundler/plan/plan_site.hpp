@@ -57,7 +57,7 @@ struct PlanInput {
   std::vector<PageFile> bags;             ///< recordings that the page plays
   std::optional<NotebookInput> notebook;
   std::string sources = {};         ///< archive of what the site is made of; empty: it carries none
-  std::uint64_t max_file_size = 0;  ///< larger ones lie in parts; 0: there is no ceiling
+  std::uint64_t max_file_size = 0;  ///< bytes; larger files are split into parts; 0: no limit
   std::string store = {};           ///< where the store lies that the site shares; see SiteStore
 };
 

@@ -1,16 +1,9 @@
-// See site_file.hpp and site_names.hpp.
+// See site_file.hpp.
 #include "bundler/site/site_file.hpp"
 
 #include <filesystem>
 
-#include "bundler/site/site_names.hpp"
-
 namespace ros2wasm {
-
-bool is_carried_page(std::string_view page) {
-  return page.starts_with(std::string(kCarriedPageDoctype) + std::string(kCarriedPageMark) +
-                          std::string(kSiteGenerator));
-}
 
 std::string hash_list(const std::vector<PlannedFile>& files) {
   std::string text;

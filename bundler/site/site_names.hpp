@@ -25,6 +25,12 @@ inline constexpr std::string_view kCarriedPageDoctype = "<!doctype html>\n";
 inline constexpr std::string_view kCarriedPageMark = "<!-- site of ";
 
 /// By its first lines.
-[[nodiscard]] bool is_carried_page(std::string_view page);
+[[nodiscard]] constexpr bool is_carried_page(std::string_view page) {
+  for (const std::string_view part : {kCarriedPageDoctype, kCarriedPageMark, kSiteGenerator}) {
+    if (!page.starts_with(part)) return false;
+    page.remove_prefix(part.size());
+  }
+  return true;
+}
 
 }  // namespace ros2wasm

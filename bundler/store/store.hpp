@@ -19,7 +19,7 @@
 namespace ros2wasm {
 
 /// The fault of an unpacked package: the first file that differs from its info/paths.json, or an
-/// info/ that has changed. Empty when there is no fault.
+/// changed info/. Empty for a package without a fault.
 [[nodiscard]] std::string package_fault(const std::filesystem::path& folder);
 
 /// The file beside an unpacked package with the hashes of the files in info/, which no list of the

@@ -14,7 +14,7 @@ enum class ProgramKind {
   kNone,     ///< a script or data that is not a program of a site
   kWasm,     ///< a WebAssembly program
   kPython,   ///< a Python script
-  kCommand,  ///< a command of `ros2`, for which there is no file
+  kCommand,  ///< a command of `ros2`, which has no program file
 };
 
 /// A file in lib/<package>/ of an installed tree that a node entry can name.

@@ -42,7 +42,7 @@ Outcome<std::vector<PageFile>> read_page_bags(const fs::path& folder,
     auto bytes = read_file(*real, kMostOfData);
     if (!bytes) return bytes.errors().front();
     if (!std::string_view(*bytes).starts_with(kMagic))
-      return page_file_refused(bag, path, "it is not a MCAP file, which is what the page plays");
+      return page_file_refused(bag, path, "it is not an MCAP file, which is what the page plays");
     files.push_back({.path = path, .bytes = std::move(*bytes)});
     return std::nullopt;
   };

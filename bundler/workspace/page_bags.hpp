@@ -11,7 +11,7 @@
 
 namespace ros2wasm {
 
-/// R2W0118: one of them is not within `folder`, is not there, is not a MCAP, comes twice, or all
+/// R2W0118: one of them is not within `folder`, is not there, is not an MCAP, comes twice, or all
 /// are too large. An edge: reads files.
 [[nodiscard]] Outcome<std::vector<PageFile>> read_page_bags(
     const std::filesystem::path& folder, const std::vector<Spanned<std::string>>& bags);

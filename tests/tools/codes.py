@@ -2,7 +2,7 @@
 """Writes the tables of codes from the pages in cli/explain/; --check only compares.
 
 A source that names a code without a page does not compile: the C++ table and the TypeScript type are the codes that
-have one. docs/error-codes.md says for people what each means and which files report it.
+have one. docs/error-codes.md says what each means and which files name it.
 """
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ NATIVE = ROOT / "workspace_schema/base/diagnostic_codes.hpp"
 SITE = ROOT / "runtime/site/contract/diagnostic_codes.ts"
 TABLE = ROOT / "docs/error-codes.md"
 NOTE = "Made from cli/explain/ by tests/tools/codes.py; add a page there instead."
-# Where codes are reported; comments name them too, and do not count.
+# A code in a comment does not count.
 FOLDERS = ("cli/", "bundler/", "workspace_schema/", "runtime/site/", "runtime/launch_evaluator/",
            "runtime/packages/", "templates/")
 SUFFIXES = (".cpp", ".hpp", ".ts", ".tsx", ".py", ".cmake", ".mjs", ".html", ".js")
@@ -58,7 +58,7 @@ def texts() -> dict[Path, str]:
     site = [f"// {NOTE}", "", "export type DiagnosticCode =", *(f"  | '{code}'" for code in pages)]
     site[-1] += ";"
     table = ["# Error codes", "", f"`ros2wasm explain CODE` prints the page of a code. {NOTE}", "",
-             "| code | meaning | reported by |", "| --- | --- | --- |"]
+             "| code | meaning | named in |", "| --- | --- | --- |"]
     for code, title in pages.items():
         files = ", ".join(found.get(code, ()))
         table.append(f"| [{code}](../cli/explain/{code}.md) | {title} | {files} |")

@@ -6,7 +6,7 @@ idle run three at a time, then the others one by one. A suite that runs no test 
 skipped test: neither may pass for tested. Tests that wait for browsers and
 clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
 that fails twice has failed. A nightly run (ROS2WASM_NIGHTLY=1) also fuzzes, and plays scenes on every link and in every
-host; tests/support/nightly.ts says which tests ask for it.
+host: the tests that import tests/support/nightly.ts.
 """
 from __future__ import annotations
 
@@ -197,6 +197,11 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     return rows
 
 
+def chosen_of(rows: list[Suite], names: list[str], nightly: bool) -> list[Suite]:
+    """The suites of these names; without names, those of the run."""
+    return [suite for suite in rows if suite.name in names or (not names and (nightly or not suite.nightly))]
+
+
 def with_report(suite: Suite, command: list[str], report: Path) -> list[str]:
     """The command that also writes how each test ended; the same one for suites that only print it."""
     if suite.counting == "ctest":
@@ -316,8 +321,7 @@ def main() -> int:
     unknown = set(options.filter) - {suite.name for suite in rows}
     if unknown:
         parser.error(f"no such suite: {', '.join(sorted(unknown))}; there are {', '.join(s.name for s in rows)}")
-    chosen = [suite for suite in rows
-              if suite.name in options.filter or (not options.filter and (NIGHTLY or not suite.nightly))]
+    chosen = chosen_of(rows, options.filter, NIGHTLY)
 
     def result(suite: Suite) -> Counts:
         if suite.not_run:

@@ -102,7 +102,7 @@ void XacroExpansion::property(const XmlNode& from, Scope scope, XmlNode& into) {
   const int mark = drop_comments(into);
   end_comments(mark, into);
   const std::string name = evaluator_.text(needed(from, "name"), scope.symbols);
-  if (!is_python_name(name)) fail("`" + name + "` is not a name for a property");
+  if (!is_python_name(name)) fail("`" + name + "` is not a valid name for a property");
   if (name.starts_with("__")) fail("names of properties do not begin with `__`: `" + name + "`");
   const auto flag = [&](const char* attribute, bool otherwise) {
     const std::string* written = from.attribute(attribute);
@@ -157,7 +157,7 @@ void XacroExpansion::argument(const XmlNode& from, Scope scope, XmlNode& into) {
 void XacroExpansion::named_element(const XmlNode& from, Scope scope, XmlNode& into) {
   XmlNode renamed = from;
   renamed.text = evaluator_.text(needed(from, "xacro:name"), scope.symbols);
-  if (!is_xml_name(renamed.text)) fail("`" + renamed.text + "` is not a name for an element");
+  if (!is_xml_name(renamed.text)) fail("`" + renamed.text + "` is not a valid name for an element");
   evaluator_.spend(1 + from.children.size());
   std::erase_if(renamed.attributes, [](const auto& one) { return one.first == "xacro:name"; });
   element(renamed, scope, into);
@@ -165,7 +165,7 @@ void XacroExpansion::named_element(const XmlNode& from, Scope scope, XmlNode& in
 
 void XacroExpansion::attribute(const XmlNode& from, Scope scope, XmlNode& into) {
   const std::string name = evaluator_.text(needed(from, "name"), scope.symbols);
-  if (!is_xml_name(name)) fail("`" + name + "` is not a name for an attribute");
+  if (!is_xml_name(name)) fail("`" + name + "` is not a valid name for an attribute");
   into.set_attribute(name, evaluator_.text(needed(from, "value"), scope.symbols));
 }
 

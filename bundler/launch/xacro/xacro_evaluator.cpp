@@ -45,7 +45,8 @@ Piece next_piece(std::string_view rest) {
             .size = end + 1};
   }
   if (dollars > 1 && dollars < rest.size())
-    fail("`" + std::string(rest.substr(0, 40)) + "`: `$$` is for `{` and `(` only");
+    fail("`" + std::string(rest.substr(0, 40)) +
+         "`: `$$` can only stand for `$` before `{` and `(`");
   return plain(rest.substr(0, std::min(rest.find_first_of("{($", 1), rest.size())));
 }
 

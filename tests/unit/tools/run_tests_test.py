@@ -4,11 +4,12 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from tests.tools.run_tests import LONGEST, ROOT, SECOND_TRIES, Counts, Suite, opens_browser, run, suites
+from tests.tools.run_tests import LONGEST, ROOT, SECOND_TRIES, Counts, Suite, chosen_of, opens_browser, run, suites
 
 # Fails as long as there are fewer than `needed` lines in the file beside it, and adds one.
 FAILS_AT_FIRST = """
@@ -97,6 +98,35 @@ class SuitesTest(unittest.TestCase):
 def environment() -> dict[str, str]:
     # A test of Node.js that runs within another one's would report to that one.
     return {key: value for key, value in os.environ.items() if key != "NODE_TEST_CONTEXT"}
+
+
+NIGHTLY_TESTS = """
+import { nightlyTest, played } from %(file)r;
+nightlyTest('large', { timeout: 1000 }, async () => undefined);
+console.log(played('shared', 'port').join());
+"""
+
+
+class NightlyTest(unittest.TestCase):
+    def test_fuzzing_is_for_a_nightly_run_and_for_who_names_it(self) -> None:
+        rows = suites(Path("build"), False)
+
+        def names(wanted: list[str], nightly: bool) -> list[str]:
+            return [suite.name for suite in chosen_of(rows, wanted, nightly)]
+
+        self.assertNotIn("fuzz", names([], False))
+        self.assertEqual(names([], True), [suite.name for suite in rows])
+        self.assertEqual(names(["fuzz"], False), ["fuzz"])
+
+    def test_an_ordinary_run_has_the_first_variant_and_no_nightly_test(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "one.test.mjs"
+            file.write_text(NIGHTLY_TESTS % {"file": str(ROOT / "tests/support/nightly.ts")})
+            for nightly, variants, has_test in (("0", "shared", False), ("1", "shared,port", True)):
+                said = subprocess.run(["node", str(file)], env={**environment(), "ROS2WASM_NIGHTLY": nightly}, text=True,
+                                      capture_output=True, check=True).stdout
+                self.assertIn(variants + "\n", said)
+                self.assertEqual("large" in said, has_test, said)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ TEST(PageBags, RefusesWhatIsNoBagOfTheFolder) {
   ASSERT_EQ(files.errors().size(), 5U);
   for (const Diagnostic& error : files.errors()) EXPECT_EQ(error.code, "R2W0118");
   EXPECT_EQ(files.errors()[0].why.front(), "another bag has the name `run.mcap` already");
-  EXPECT_EQ(files.errors()[1].why.front(), "it is not a MCAP file, which is what the page plays");
+  EXPECT_EQ(files.errors()[1].why.front(), "it is not an MCAP file, which is what the page plays");
   EXPECT_EQ(files.errors()[4].why.front(), "it is not in the folder of the manifest");
 }
 

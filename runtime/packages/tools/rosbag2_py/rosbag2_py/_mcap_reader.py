@@ -55,13 +55,13 @@ class ChunkHead(NamedTuple):
 
 
 class McapReader:
-    """RuntimeError: it is not a MCAP file, or nothing of it can be read."""
+    """RuntimeError: it is not an MCAP file, or nothing of it can be read."""
 
     def __init__(self, path: str) -> None:
         self._file = open(path, 'rb')
         self.size = os.fstat(self._file.fileno()).st_size
         if self.size < len(mcap.MAGIC) or self._bytes(0, len(mcap.MAGIC)) != mcap.MAGIC:
-            raise RuntimeError(f'invalid magic bytes: "{path}" is not a MCAP file')
+            raise RuntimeError(f'invalid magic bytes: "{path}" is not an MCAP file')
         #: Why not all of it can be read; empty: it is whole, as far as its index says.
         self.damage = ''
         self._forget()

@@ -71,7 +71,7 @@ Reader::Reader(const std::string& path) : file_(path, std::ios::binary) {
   const std::streamoff end = file_.tellg();
   size_ = end > 0 ? static_cast<uint64_t>(end) : 0;
   if (size_ < kMagic.size() || bytes_at(0, kMagic.size()) != kMagic) {
-    throw std::runtime_error("invalid magic bytes: \"" + path + "\" is not a MCAP file");
+    throw std::runtime_error("invalid magic bytes: \"" + path + "\" is not an MCAP file");
   }
   try {
     read_summary();

@@ -42,7 +42,7 @@ struct ReadQuestion {
 
 class Reader {
  public:
-  /// Throws std::runtime_error for what is not a MCAP file, and where nothing of one can be read.
+  /// Throws std::runtime_error for what is not an MCAP file, and where nothing of one can be read.
   explicit Reader(const std::string& path);
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;

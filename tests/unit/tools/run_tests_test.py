@@ -123,8 +123,9 @@ class NightlyTest(unittest.TestCase):
             file = Path(folder) / "one.test.mjs"
             file.write_text(NIGHTLY_TESTS % {"file": str(ROOT / "tests/support/nightly.ts")})
             for nightly, variants, has_test in (("0", "shared", False), ("1", "shared,port", True)):
-                said = subprocess.run(["node", str(file)], env={**environment(), "ROS2WASM_NIGHTLY": nightly}, text=True,
-                                      capture_output=True, check=True).stdout
+                variables = {**environment(), "ROS2WASM_NIGHTLY": nightly}
+                command = ["node", str(file)]
+                said = subprocess.run(command, env=variables, text=True, capture_output=True, check=True).stdout
                 self.assertIn(variants + "\n", said)
                 self.assertEqual("large" in said, has_test, said)
 

@@ -1,0 +1,59 @@
+// See world.hpp.
+#include "world.hpp"
+
+#include "ros2wasm_sim/gz_names.hpp"
+#include "ros_gz_interfaces/srv/delete_entity.hpp"
+#include "ros_gz_interfaces/srv/spawn_entity.hpp"
+#include "std_msgs/msg/string.hpp"
+
+namespace ros_gz_sim {
+namespace {
+
+constexpr std::chrono::seconds kPatience{5};
+
+}  // namespace
+
+std::optional<std::string> name_of_world(const rclcpp::Node::SharedPtr& node) {
+  std::promise<std::string> promise;
+  const std::shared_future<std::string> name = promise.get_future();
+  bool is_known = false;
+  const auto subscription = node->create_subscription<std_msgs::msg::String>(
+      ros2wasm_sim::kWorldName, rclcpp::QoS(1).transient_local(),
+      [&](const std_msgs::msg::String& message) {
+        if (!std::exchange(is_known, true)) promise.set_value(message.data);
+      });
+  while (rclcpp::ok()) {
+    RCLCPP_INFO(node->get_logger(), "Requesting list of world names.");
+    if (rclcpp::spin_until_future_complete(node, name, kPatience) ==
+        rclcpp::FutureReturnCode::SUCCESS)
+      return name.get();
+  }
+  return std::nullopt;
+}
+
+template <typename Service>
+typename Service::Response::SharedPtr answer_of(const rclcpp::Node::SharedPtr& node,
+                                                const std::string& service,
+                                                typename Service::Request::SharedPtr request) {
+  const auto client = node->create_client<Service>(ros2wasm_sim::hidden_name(service));
+  while (rclcpp::ok()) {
+    if (client->wait_for_service(kPatience)) {
+      auto answer = client->async_send_request(request);
+      if (rclcpp::spin_until_future_complete(node, answer) == rclcpp::FutureReturnCode::SUCCESS)
+        return answer.get();
+    } else if (rclcpp::ok()) {
+      RCLCPP_WARN(node->get_logger(), "Waiting for service [%s] to become available ...",
+                  service.c_str());
+    }
+  }
+  return nullptr;
+}
+
+template ros_gz_interfaces::srv::SpawnEntity::Response::SharedPtr answer_of<
+    ros_gz_interfaces::srv::SpawnEntity>(const rclcpp::Node::SharedPtr&, const std::string&,
+                                         ros_gz_interfaces::srv::SpawnEntity::Request::SharedPtr);
+template ros_gz_interfaces::srv::DeleteEntity::Response::SharedPtr answer_of<
+    ros_gz_interfaces::srv::DeleteEntity>(const rclcpp::Node::SharedPtr&, const std::string&,
+                                          ros_gz_interfaces::srv::DeleteEntity::Request::SharedPtr);
+
+}  // namespace ros_gz_sim

@@ -1,0 +1,40 @@
+// The node `ros_gz_bridge`: topics and services of its arguments and of its `config_file`.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bridge_argument.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "relay.hpp"
+#include "rosgraph_msgs/msg/clock.hpp"
+
+namespace ros_gz_bridge {
+
+class Bridge : public rclcpp::Node {
+ public:
+  Bridge();
+
+  void add(const BridgeArgument& argument);
+
+ private:
+  void add_topic(const BridgeEntry& entry);
+  void add_relay(const BridgeEntry& entry, const TypePair& pair, bool to_ros);
+  void add_service(const ServiceEntry& entry);
+  void read_config_file();
+  /// Reads the file the first time, and looks after relays that are lazy.
+  void beat();
+
+  bool has_read_file_ = false;
+  Time now_;  ///< of the simulation, when a relay needs it
+  rclcpp::Subscription<rosgraph_msgs::msg::Clock>::SharedPtr clock_;
+  std::vector<std::unique_ptr<Relay>> relays_;
+  std::vector<std::shared_ptr<void>> services_;
+  rclcpp::TimerBase::SharedPtr heartbeat_;
+};
+
+/// The node with what stands in the command line, until it ends. Returns the exit code.
+int run_bridge(int argc, char** argv, bool needs_arguments);
+
+}  // namespace ros_gz_bridge

@@ -14,6 +14,7 @@
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/parameter_file.hpp"
+#include "bundler/launch/simulator_command.hpp"
 #include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/store/build_place.hpp"
@@ -95,7 +96,8 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
     return errors;
   append(report.warnings, description->warnings);
   const auto is_known = [&](const std::string& package) {
-    return std::any_of(report.packages.begin(), report.packages.end(),
+    return is_simulator_package(package) ||
+           std::any_of(report.packages.begin(), report.packages.end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == package; });
   };
   append(report.warnings, left_out_of_site(*description, is_known, world));

@@ -10,6 +10,7 @@
 #include "bundler/launch/host/launch_world.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_tree.hpp"
+#include "bundler/launch/simulator_command.hpp"
 #include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_from_file.hpp"
 #include "bundler/launch_tools.hpp"
@@ -108,7 +109,8 @@ int run(Context& context, const LaunchOptions& options) {
   if (!description) return context.console.fail(description.errors());
   interpreter.keep();
   const auto is_known = [&](const std::string& package) {
-    return std::any_of(packages->begin(), packages->end(),
+    return is_simulator_package(package) ||
+           std::any_of(packages->begin(), packages->end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == package; });
   };
   const Diagnostics left_out = left_out_of_site(*description, is_known, world);

@@ -50,6 +50,7 @@ class LaunchEvaluator {
   struct PassedOver {
     std::optional<LaunchTrigger> on;
     double after_s = 0;
+    bool stays = false;  ///< does not end: the page does its work
   };
 
   /// Components for a container that is known at the end.

@@ -179,6 +179,7 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
     leave_out(handler, kind);
     return true;
   }
+  if (!runs && passed->second.stays && kind == "exit") return true;
   after_s_ = 0;
   if (changes) {
     trigger_ = LaunchTrigger{.process = started->second,

@@ -8,6 +8,7 @@
 #include "bundler/launch/launch_values.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/ros2_command.hpp"
+#include "bundler/launch/simulator_command.hpp"
 #include "workspace_schema/base/names.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 
@@ -441,27 +442,39 @@ void LaunchEvaluator::resolve_components() {
   }
 }
 
-/// `ros2 run` and the path of an installed program start a node, other commands of `ros2` run as
-/// they are; all else is skipped.
+/// `ros2 run` and the path of an installed program start a node, those of Gazebo the site's own
+/// simulator, other commands of `ros2` run as they are; all else is skipped.
 void LaunchEvaluator::executable(const LaunchEntity& entity) {
   auto words = command_line(entity, "cmd");
   if (!words || words->empty()) return;
   std::string line;
   for (const std::string& word : *words) line += (line.empty() ? "" : " ") + word;
-  const auto leave_it_out = [&](std::string_view instead) {
+  const auto pass_over = [&](bool stays) {
     if (const std::int64_t own = number(entity, "process"); own >= 0)
-      passed_over_[own] = {.on = trigger_, .after_s = after_s_};
+      passed_over_[own] = {.on = trigger_, .after_s = after_s_, .stays = stays};
+  };
+  const auto leave_it_out = [&](std::string_view instead) {
+    pass_over(false);
     description_.left_out.push_back(
         {.what = line, .instead = std::string(instead), .span = entity.span});
   };
   if (flag(entity, "shell", false)) {
-    words = shell_words(line);
+    words = shell_words(without_which(line));
     if (!words || words->empty())
       return leave_it_out("a site has no shell, only the words of one command");
   }
   LaunchProcess process;
   process.node.span = entity.span;
-  if (auto program = node_program(*words, world_)) {
+  auto simulator = simulator_command(*words);
+  if (simulator && !world_.prefix_of(std::string(kSimulatorPackage)))
+    return leave_it_out("the simulator of sites is in no channel of the workspace: " +
+                        std::string(kSimulatorPackage));
+  if (simulator && simulator->program.empty()) return pass_over(true);
+  if (simulator) {
+    process.node.package = {std::string(kSimulatorPackage), entity.span};
+    process.node.executable = {std::move(simulator->program), entity.span};
+    process.node.arguments = std::move(simulator->arguments);
+  } else if (auto program = node_program(*words, world_)) {
     process.node.package = {std::move(program->package), entity.span};
     process.node.executable = {std::move(program->executable), entity.span};
     process.node.arguments = std::move(program->arguments);

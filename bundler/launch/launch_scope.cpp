@@ -9,6 +9,7 @@
 #include "bundler/launch/launch_values.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/python/python_expression.hpp"
+#include "bundler/launch/simulator_command.hpp"
 #include "bundler/launch/xacro/xacro.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 #include "workspace_schema/base/text_pattern.hpp"
@@ -240,6 +241,8 @@ Result find_executable(const Call& call) {
   // ros2wasm handles these commands itself and runs no program, so the name is enough.
   for (const std::string_view known : {std::string_view("cat"), std::string_view("ros2"), kXacro})
     if (call.arguments[0] == known) return call.arguments[0];
+  if (is_program_of_gazebo(call.arguments[0]) || call.arguments[0] == "ruby")
+    return call.arguments[0];
   return fault(call, "R2W0414",
                "`$(find-exec " + call.arguments[0] +
                    ")` finds nothing: a site has no programs besides its nodes");

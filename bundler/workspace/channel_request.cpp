@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bundler/workspace/host_packages.hpp"
+#include "bundler/workspace/launch_packages.hpp"
 #include "bundler/workspace/library_packages.hpp"
 #include "bundler/workspace/python_modules.hpp"
 #include "bundler/workspace/python_tree.hpp"
@@ -178,10 +179,12 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     const LocalPackage& package = packages[i];
     for (const auto& one : module_needs(package, known, manifest.distro))
       request.specs.push_back(spec_of(one, manifest.distro));
-    const auto names = forgotten(package, packages, known, manifest.distro);
-    if (names.empty()) continue;
-    if (!package.is_plain_cmake) request.warnings.push_back(forgotten_warning(package, names));
+    auto names = forgotten(package, packages, known, manifest.distro);
     for (const auto& one : names) request.specs.push_back(spec_of(one, manifest.distro));
+    // Natively no package.xml names it.
+    std::erase_if(names, [](const auto& one) { return one.value == kSimulatorPackage; });
+    if (!names.empty() && !package.is_plain_cmake)
+      request.warnings.push_back(forgotten_warning(package, names));
   }
   for (const LocalPackage& package : packages) {
     if (package.xml.build_type != kPythonBuildType) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <set>
 
 #include "workspace_schema/base/source_text.hpp"
@@ -100,6 +101,34 @@ bool skip_to_name(std::string_view text, std::size_t& at, Form form) {
   return false;
 }
 
+/// Of `cmd=[...]`, from behind `cmd`: where the name of a program of Gazebo begins, if it starts
+/// Gazebo. Whatever finds the program may be before its name: `ruby $(which gz) sim`.
+std::optional<std::size_t> start_of_gazebo(std::string_view code, std::size_t at) {
+  constexpr std::size_t kMostWords = 8;
+  skip_one(code, at, is_quote);
+  skip_spaces(code, at, false);
+  if (!skip_one(code, at, [](char c) { return c == '=' || c == ':'; })) return std::nullopt;
+  std::optional<std::size_t> program;
+  for (std::size_t i = 0; i < kMostWords; ++i) {
+    while (at < code.size() && !is_letter(code[at])) ++at;
+    const std::size_t start = at;
+    while (at < code.size() && is_letter(code[at])) ++at;
+    const std::string_view word = code.substr(start, at - start);
+    if (program) {
+      if (word == "sim" || word == "gazebo") return program;
+      return std::nullopt;
+    }
+    if (word == "gazebo" || word == "gzserver" || word == "gzclient") return start;
+    if (word == "gz" || word == "ign") {
+      program = start;
+    } else if (word != "FindExecutable" && word != "name" && word != "ruby" && word != "which" &&
+               word != "usr" && word != "bin" && word != "find-exec") {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_launch_file_name(std::string_view name) {
@@ -120,6 +149,12 @@ std::vector<Spanned<std::string>> launch_packages(std::string_view text, const s
     const std::size_t start = at;
     while (at < code.size() && is_letter(code[at])) ++at;
     const std::string_view word = std::string_view(code).substr(start, at - start);
+    if (word == "cmd") {
+      if (const auto program = start_of_gazebo(code, at);
+          program && known.insert(std::string(kSimulatorPackage)).second)
+        found.push_back({.value = std::string(kSimulatorPackage), .span = source.span(*program, 2)});
+      continue;
+    }
     const auto* row = std::find_if(kWords.begin(), kWords.end(),
                                    [&](const Word& one) { return one.text == word; });
     if (row == kWords.end() || !skip_to_name(code, at, row->form)) continue;

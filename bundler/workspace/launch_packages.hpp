@@ -13,9 +13,14 @@ namespace ros2wasm {
 /// Does `ros2 launch` offer a file of this name, or do launch files include such ones?
 [[nodiscard]] bool is_launch_file_name(std::string_view name);
 
+/// The simulator, with the programs `gzserver` and `gz_sim`. A launch file that starts Gazebo as a
+/// process needs it, and no package.xml names it.
+inline constexpr std::string_view kSimulatorPackage = "ros2wasm_sim";
+
 /// Packages of nodes (`package='a'`, `pkg="a"`, `pkg: a`) and those that are looked up
-/// (`FindPackageShare('a')`, `$(find-pkg-share a)`), in the order of the file, each once. What a
-/// variable names is not told. `file` is only for messages.
+/// (`FindPackageShare('a')`, `$(find-pkg-share a)`), and kSimulatorPackage for commands that start
+/// Gazebo (`cmd=['gz', 'sim']`), in the order of the file, each once. What a variable names is not
+/// told. `file` is only for messages.
 [[nodiscard]] std::vector<Spanned<std::string>> launch_packages(std::string_view text,
                                                                 const std::string& file);
 

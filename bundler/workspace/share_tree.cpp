@@ -45,6 +45,14 @@ bool is_for_builds(const fs::path& path) {
          (has(kShellEndings, ending) && has(kShellStems, path.stem().string()));
 }
 
+/// Launch files of Gazebo read in package.xml where the package has models, also in the site:
+/// `<export><gazebo_ros gazebo_model_path="${prefix}/models"/></export>`.
+bool has_paths_for_gazebo(const fs::path& prefix, const std::string& path) {
+  if (!is_installed_file(prefix, path)) return false;
+  const auto text = read_file(prefix / path, kMostOfList);
+  return text && text->find("<gazebo_ros ") != std::string::npos;
+}
+
 /// Host and browser read a backslash in an address as a slash.
 bool has_address(const std::string& path) {
   return path.find('\\') == std::string::npos;
@@ -81,7 +89,9 @@ Outcome<std::vector<std::string>> collect_shared_files(const fs::path& prefix,
     if (!tree) return tree.errors();
     for (const TreeEntry& entry : *tree) {
       const bool is_file = entry.kind == FileKind::kFile || entry.kind == FileKind::kLink;
-      if (!is_file || is_for_builds(entry.path)) continue;
+      const bool is_description =
+          entry.path == "package.xml" && has_paths_for_gazebo(prefix, share + "/package.xml");
+      if (!is_file || (is_for_builds(entry.path) && !is_description)) continue;
       if (auto added = add_file(prefix, share + "/" + entry.path, into, left_out); !added)
         return std::move(added).errors();
     }

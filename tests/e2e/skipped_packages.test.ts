@@ -12,7 +12,7 @@ let ws: PackWorkspace;
 before(() => {
   ws = new PackWorkspace();
   ws.addPackage('good', HELLO);
-  ws.addPackage('sim', HELLO, { depends: ['gazebo_ros'], cmake: 'find_package(gazebo_ros REQUIRED)\n' });
+  ws.addPackage('sim', HELLO, { depends: ['webots_ros2_driver'], cmake: 'find_package(webots_ros2_driver REQUIRED)\n' });
   ws.addPackage('lab', HELLO, { depends: ['sim'] });
   ws.addPackage('mapper', HELLO, { cmake: 'find_package(slam_of_nobody REQUIRED)\n' });
 });
@@ -20,7 +20,7 @@ before(() => {
 after(() => ws.close());
 
 const WARNINGS = [
-  /warning\[R2W0519\]: package `sim` is skipped: no channel has `gazebo_ros`, which it needs\n --> src\/sim\/package\.xml:\d+:/,
+  /warning\[R2W0519\]: package `sim` is skipped: no channel has `webots_ros2_driver`, which it needs\n --> src\/sim\/package\.xml:\d+:/,
   /warning\[R2W0514\]: package `lab` is skipped: it needs `sim`, which is skipped\n/,
   /warning\[R2W0519\]: package `mapper` is skipped: it asks CMake for `slam_of_nobody`, which is not there\n/,
 ];
@@ -30,7 +30,7 @@ test('what can be built is packed, and what is skipped is said', async () => {
   assert.equal(packed.code, 0, packed.stderr);
   for (const warning of WARNINGS) assert.match(packed.stderr, warning);
   assert.match(packed.stderr, /every program runs once: good\/hello\n/);
-  assert.match(readFileSync(join(ws.root, 'ros2wasm.lock'), 'utf8'), /\nabsent:\n {2}- ros-jazzy-gazebo-ros\npackages:/);
+  assert.match(readFileSync(join(ws.root, 'ros2wasm.lock'), 'utf8'), /\nabsent:\n {2}- ros-jazzy-webots-ros2-driver\npackages:/);
 });
 
 test('--frozen leaves out the same, and a dependency that came later is an error', async () => {

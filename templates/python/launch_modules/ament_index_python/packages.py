@@ -1,6 +1,7 @@
 """Packages of the workspace and of its channels."""
 from __future__ import annotations
 
+import os
 import pathlib
 
 from ros2wasm_launch import host
@@ -24,3 +25,13 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> pathlib.Path:
     return pathlib.Path(get_package_share_directory(package_name))
+
+
+def get_packages_with_prefixes() -> dict[str, str]:
+    found: dict[str, str] = {}
+    for prefix in os.environ.get('AMENT_PREFIX_PATH', '').split(':'):
+        share = f'{prefix}/share'
+        for name in sorted(os.listdir(share)) if os.path.isdir(share) else ():
+            if os.path.isdir(f'{share}/{name}'):
+                found.setdefault(name, prefix)
+    return found

@@ -144,8 +144,18 @@ constexpr Case kCases[] = {
     {"a shutdown", R"x(<timer period="9"><shutdown reason="done"/></timer>)x",
      "- timer: {period: 9, children: [{shutdown: {reason: done}}]}",
      "all ends: done  after 9.0 s\n"},
-    {"a command is skipped", R"x(<executable cmd="gz sim -r"/>)x", "- executable: {cmd: gz sim -r}",
-     "skipped: gz sim -r (a site runs nodes of packages and commands of ros2 only)\n"},
+    {"a command is skipped", R"x(<executable cmd="gz topic -l"/>)x",
+     "- executable: {cmd: gz topic -l}",
+     "skipped: gz topic -l (a site runs nodes of packages and commands of ros2 only)\n"},
+    {"Gazebo is the simulator of the site, its window the page",
+     R"x(<executable cmd="gz sim -r 'my world.sdf'"/><executable cmd="gazebo"/>
+        <executable cmd="ruby $(find-exec gz) sim -s" shell="true"><env name="M" value="v"/>
+        </executable><executable cmd="gzclient"/><executable cmd="gz sim -g"/>)x",
+     "- executable: {cmd: \"gz sim -r 'my world.sdf'\"}\n- executable: {cmd: gazebo}\n"
+     "- executable: {cmd: ruby $(find-exec gz) sim -s, shell: true, env: [{name: M, value: v}]}\n"
+     "- executable: {cmd: gzclient}\n- executable: {cmd: gz sim -g}",
+     "ros2wasm_sim/gz_sim\n  arg -r\n  arg my world.sdf\nros2wasm_sim/gzserver\n"
+     "ros2wasm_sim/gz_sim\n  env M=v\n  arg -s\n"},
     {"commands of ros2", R"x(<let name="v" value="a b"/>
         <executable cmd="ros2 topic pub $(var v)/x T '{data: $(var v)}' -1" respawn="true"/>
         <executable cmd="ros2 param get $(var v)" shell="true" on_exit="shutdown"/>
@@ -240,7 +250,8 @@ LaunchWorld world_with(const std::string& name, const std::string& text) {
             return found->second;
           },
           .prefix_of = [](const std::string& package) -> std::optional<std::string> {
-            return package == "demo" ? std::optional<std::string>("/p") : std::nullopt;
+            const bool is_there = package == "demo" || package == "ros2wasm_sim";
+            return is_there ? std::optional<std::string>("/p") : std::nullopt;
           },
           .environment = {{"ROS_DISTRO", "jazzy"}}};
 }
@@ -319,7 +330,7 @@ TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
     return launch_file_nodes("/f/a.launch.xml", {}, world, installed, {});
   };
   const auto some = nodes_of(
-      "<node pkg='rviz2' exec='rviz2'/><executable cmd='gz sim'/><timer period='2'>"
+      "<node pkg='rviz2' exec='rviz2'/><executable cmd='gz topic'/><timer period='2'>"
       "<node pkg='demo' exec='talker' respawn='true' respawn_delay='3'/></timer>"
       "<node pkg='demo' exec='talker' on_exit='shutdown'><env name='E' value='v'/></node>");
   ASSERT_TRUE(some.ok());

@@ -30,7 +30,7 @@ bool any_sets(const std::vector<std::string>& words, char flag) {
                      [&](const std::string& word) { return sets_flag(word, flag); });
 }
 
-/// Of `gz sim`; `-s` wins over `-g`.
+/// The program for `gz sim`; `-s` wins over `-g`.
 SimulatorCommand sim_command(std::vector<std::string> arguments) {
   if (any_sets(arguments, 'g') && !any_sets(arguments, 's')) return {};
   return {"gz_sim", std::move(arguments)};

@@ -15,9 +15,9 @@ namespace ros2wasm {
 /// has.
 [[nodiscard]] bool is_simulator_package(std::string_view package);
 
-/// What stands for a command line that starts Gazebo.
+/// The program that replaces a command line which starts Gazebo.
 struct SimulatorCommand {
-  /// Of kSimulatorPackage. Empty: the command opens a window only, which the page replaces.
+  /// A program of kSimulatorPackage. Empty: the command only opens a window; the page replaces it.
   std::string program;
   std::vector<std::string> arguments;
 };

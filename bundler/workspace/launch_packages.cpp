@@ -101,7 +101,7 @@ bool skip_to_name(std::string_view text, std::size_t& at, Form form) {
   return false;
 }
 
-/// Of `cmd=[...]`, from behind `cmd`: where the name of a program of Gazebo begins, if it starts
+/// Reads `cmd=[...]` from behind `cmd`: where the name of a program of Gazebo begins, if it starts
 /// Gazebo. Whatever finds the program may be before its name: `ruby $(which gz) sim`.
 std::optional<std::size_t> start_of_gazebo(std::string_view code, std::size_t at) {
   constexpr std::size_t kMostWords = 8;

@@ -1,4 +1,4 @@
-// What a bridge is asked to carry.
+// The topics and services that a bridge carries.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kType = "sensor_msgs/msg/Image";
 
-/// Of the node's parameter `qos`; the default for a name that is none.
+/// The QoS that the node's parameter `qos` names; the default for an unknown name.
 rclcpp::QoS qos_of(rclcpp::Node& node) {
   const std::string name = node.declare_parameter("qos", "default");
   if (name == "sensor_data") return rclcpp::SensorDataQoS();

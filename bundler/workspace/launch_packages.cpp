@@ -152,7 +152,8 @@ std::vector<Spanned<std::string>> launch_packages(std::string_view text, const s
     if (word == "cmd") {
       if (const auto program = start_of_gazebo(code, at);
           program && known.insert(std::string(kSimulatorPackage)).second)
-        found.push_back({.value = std::string(kSimulatorPackage), .span = source.span(*program, 2)});
+        found.push_back(
+            {.value = std::string(kSimulatorPackage), .span = source.span(*program, 2)});
       continue;
     }
     const auto* row = std::find_if(kWords.begin(), kWords.end(),

@@ -3,6 +3,7 @@
 
 #include <random>
 #include <string>
+#include <utility>
 
 #include "ros2wasm_xml/xml_document.hpp"
 #include "urdf/model.h"
@@ -41,6 +42,20 @@ std::string refusal(const std::string& text) {
 
 std::string robot(const std::string& inside) {
   return "<robot name='r'>" + inside + "</robot>";
+}
+
+TEST(Urdf, ElementsKnowTheirLineAndColumn) {
+  const XmlDocument document("<?xml version='1.0'?>\n<a>\n  <b/><c>\n</c>\n<!--\n--> <d\n/></a>");
+  const auto place = [](const ros2wasm_xml::XmlElement& element) {
+    return std::pair(element.line, element.column);
+  };
+  EXPECT_EQ(place(document.root()), std::pair(std::size_t{2}, std::size_t{1}));
+  EXPECT_EQ(place(*document.child(document.root(), "b")),
+            std::pair(std::size_t{3}, std::size_t{3}));
+  EXPECT_EQ(place(*document.child(document.root(), "c")),
+            std::pair(std::size_t{3}, std::size_t{7}));
+  EXPECT_EQ(place(*document.child(document.root(), "d")),
+            std::pair(std::size_t{6}, std::size_t{5}));
 }
 
 TEST(Urdf, ADescriptionBecomesAModel) {

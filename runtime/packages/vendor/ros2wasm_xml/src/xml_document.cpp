@@ -153,12 +153,24 @@ class Reader {
     at_ = end;
   }
 
+  /// The place of a new element, counted on from that of the element before.
+  void locate(XmlElement& element) {
+    for (; counted_ < at_; ++counted_) {
+      if (text_[counted_] == '\n') {
+        ++line_;
+        line_begin_ = counted_ + 1;
+      }
+    }
+    element.line = line_;
+    element.column = at_ - line_begin_ + 1;
+  }
   void open() {
+    XmlElement element;
+    locate(element);
     ++at_;
     if (!elements_.empty() && open_.empty()) {
       fail("there is a second root");
     }
-    XmlElement element;
     element.name = name();
     for (skip_space(); at_ < text_.size() && text_[at_] != '>' && text_[at_] != '/'; skip_space()) {
       attribute(element);
@@ -210,6 +222,9 @@ class Reader {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t counted_ = 0;     ///< up to where lines were counted
+  std::size_t line_ = 1;        ///< that `counted_` is in
+  std::size_t line_begin_ = 0;  ///< where that line begins
   std::vector<XmlElement> elements_;
   std::vector<std::size_t> open_;  ///< indices, the innermost last
 };

@@ -13,8 +13,18 @@ namespace ros2wasm_xml {
 /// A text that is not an XML, with the line where it stops being so.
 class XmlError : public std::runtime_error {
  public:
-  XmlError(const std::string& what, std::size_t line)
-      : std::runtime_error("line " + std::to_string(line) + ": " + what) {}
+  XmlError(const std::string& reason, std::size_t line)
+      : std::runtime_error("line " + std::to_string(line) + ": " + reason),
+        reason_(reason),
+        line_(line) {}
+
+  /// The message without the line.
+  const std::string& reason() const { return reason_; }
+  std::size_t line() const { return line_; }
+
+ private:
+  std::string reason_;
+  std::size_t line_;
 };
 
 struct XmlElement {
@@ -22,6 +32,8 @@ struct XmlElement {
   std::vector<std::pair<std::string, std::string>> attributes;  ///< in the order of the text
   std::string text;                                             ///< between its children
   std::vector<std::size_t> children;                            ///< indices of the document
+  std::size_t line = 0;                                         ///< of its `<`, from 1
+  std::size_t column = 0;                                       ///< of its `<`, from 1, in bytes
 
   /// The value, or null when there is no such attribute.
   const std::string* attribute(const std::string& key) const;

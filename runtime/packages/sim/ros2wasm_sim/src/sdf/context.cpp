@@ -1,0 +1,184 @@
+// See context.hpp.
+#include "sdf/context.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sdf/nearest_name.hpp"
+#include "sdf/xml_values.hpp"
+
+namespace ros2wasm_sim {
+namespace {
+
+using ros2wasm_xml::XmlDocument;
+
+constexpr std::size_t kMaxNotes = 200;
+constexpr std::size_t kMaxThings = 300'000;
+constexpr std::size_t kMaxNoteLength = 2'000;
+/// Looking for the nearest name takes time for each name, so not for each of many mistakes.
+constexpr int kMaxHints = 20;
+
+/// 10 of `<sdf version="1.10">`, or the default.
+int minor_version_of(const Source& source) {
+  const std::string* version = source.document->root().attribute("version");
+  const std::size_t dot = version ? version->find('.') : std::string::npos;
+  const auto minor =
+      dot == std::string::npos ? std::nullopt : parse_number(version->substr(dot + 1));
+  return minor && *minor >= 0 && *minor < 1000 ? static_cast<int>(*minor) : Source().minor_version;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string result;
+  for (const std::string& word : words) {
+    result += (result.empty() ? "" : ", ") + word;
+  }
+  return result;
+}
+
+}  // namespace
+
+void Context::add_note(Severity severity, const Node& where, const std::string& text) {
+  has_error_ = has_error_ || severity == Severity::kError;
+  // An error that comes late is kept, since a value is missing exactly when there is one.
+  const bool is_first_error = severity == Severity::kError &&
+                              std::none_of(notes_.begin(), notes_.end(), [](const Note& note) {
+                                return note.severity == Severity::kError;
+                              });
+  if (notes_.size() >= kMaxNotes && !is_first_error) {
+    ++unsaid_;
+    return;
+  }
+  Note note;
+  note.severity = severity;
+  note.text = text.size() > kMaxNoteLength ? text.substr(0, kMaxNoteLength) + "..." : text;
+  if (where.source != nullptr) {
+    note.file = where.source->file;
+  }
+  if (where.element != nullptr) {
+    note.line = where.element->line;
+    note.column = where.element->column;
+  }
+  notes_.push_back(std::move(note));
+}
+
+void Context::error(const Node& where, const std::string& text) {
+  add_note(Severity::kError, where, text);
+}
+void Context::warning(const Node& where, const std::string& text) {
+  add_note(Severity::kWarning, where, text);
+}
+void Context::warning_once(const Node& where, const std::string& text) {
+  if (said_.insert(text).second) {
+    warning(where, text);
+  }
+}
+
+std::vector<Note> Context::take_notes() {
+  if (unsaid_ != 0) {
+    Note note;
+    note.text = "there are " + std::to_string(unsaid_) + " more messages, which are not shown";
+    notes_.push_back(std::move(note));
+  }
+  return std::move(notes_);
+}
+
+bool Context::spend(const Node& where) {
+  if (++spent_ == kMaxThings + 1) {
+    error(where, "there are more than " + std::to_string(kMaxThings) +
+                     " models, links, joints and shapes; includes may multiply them");
+  }
+  return spent_ <= kMaxThings;
+}
+
+const Source* Context::add(std::shared_ptr<const XmlDocument> document, const std::string& file,
+                           const std::string& folder) {
+  auto source = std::make_unique<Source>();
+  source->document = std::move(document);
+  source->file = file;
+  source->folder = folder;
+  source->minor_version = minor_version_of(*source);
+  sources_.push_back(std::move(source));
+  return sources_.back().get();
+}
+
+const Source* Context::parse(const std::string& text, const std::string& file,
+                             const std::string& folder) {
+  try {
+    return add(std::make_shared<const XmlDocument>(text), file, folder);
+  } catch (const ros2wasm_xml::XmlError& fault) {
+    Note note;
+    note.severity = Severity::kError;
+    note.file = file;
+    note.line = fault.line();
+    note.text = "the text is not XML: " + fault.reason();
+    notes_.push_back(std::move(note));
+    has_error_ = true;
+    return nullptr;
+  }
+}
+
+const Source* Context::open(const std::string& path, const Node& where) {
+  const auto found = opened_.find(path);
+  if (found != opened_.end()) {
+    return found->second;
+  }
+  const Source*& source = opened_[path];
+  source = nullptr;
+  const std::optional<std::string> text = read(path);
+  if (!text) {
+    error(where, path + " cannot be read");
+    return nullptr;
+  }
+  source = parse(*text, path, folder_of(path));
+  return source;
+}
+
+std::string Context::find(const std::string& uri, const Node& where, const std::string& what) {
+  const std::string& folder = where.source->folder;
+  const auto known = found_.find(folder + '\n' + uri);
+  if (known != found_.end()) {
+    return known->second;
+  }
+  std::string& path = found_[folder + '\n' + uri];
+  const bool is_relative = uri.find("://") == std::string::npos && uri.substr(0, 1) != "/";
+  std::vector<std::string> searched;
+  std::optional<std::string> result;
+  if (resources_.find && !uri.empty()) {
+    if (is_relative && !folder.empty()) {
+      result = find_quietly(folder + "/" + uri);
+      searched.push_back(folder);
+    }
+    result = result ? result : resources_.find(uri, searched);
+  }
+  if (!result) {
+    const std::string folders = searched.empty() ? "no folder was searched" : joined(searched);
+    warning(where, what + " " + uri + " is not found (searched: " + folders + ")");
+  }
+  path = result.value_or("");
+  return path;
+}
+
+std::optional<std::string> Context::find_quietly(const std::string& uri) const {
+  std::vector<std::string> searched;
+  return resources_.find ? resources_.find(uri, searched) : std::nullopt;
+}
+
+std::optional<std::string> Context::read(const std::string& path) const {
+  return resources_.read ? resources_.read(path) : std::nullopt;
+}
+
+std::string Context::hint(const std::string& wrong,
+                          const std::function<std::vector<std::string>()>& names) {
+  if (++hints_ > kMaxHints) {
+    return "";
+  }
+  const std::string nearest = nearest_name(wrong, names());
+  return nearest.empty() ? "" : "; the nearest name is `" + nearest + "`";
+}
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+}  // namespace ros2wasm_sim

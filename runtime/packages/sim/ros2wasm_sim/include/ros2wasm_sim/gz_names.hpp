@@ -1,0 +1,26 @@
+// Gazebo Sim has a bus of its own. Here its topics and services are hidden topics and services of
+// ROS below /_gz, with the ROS type that belongs to the Gazebo type, so that a bridge carries them
+// and `ros2 topic list` does not show them.
+#pragma once
+
+#include <cctype>
+#include <string>
+
+namespace ros2wasm_sim {
+
+/// The hidden ROS name of a topic or service of Gazebo. Signs that ROS names cannot have become
+/// `_`.
+inline std::string hidden_name(const std::string& gz_name) {
+  std::string name = "/_gz";
+  if (gz_name.empty() || gz_name.front() != '/') name += '/';
+  for (const char sign : gz_name)
+    name +=
+        std::isalnum(static_cast<unsigned char>(sign)) || sign == '/' || sign == '_' ? sign : '_';
+  return name;
+}
+
+/// Latched (transient local, depth 1, std_msgs/msg/String): the name of the world, as soon as it is
+/// loaded.
+inline const char* const kWorldName = "/_gz/gazebo/worlds";
+
+}  // namespace ros2wasm_sim

@@ -1,0 +1,46 @@
+// A world as MuJoCo's own model language has it. It is pure: no engine is needed to write one.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "physics/physics.hpp"
+#include "world/world.hpp"
+
+namespace ros2wasm_sim {
+
+/// A name of a world, and the number that its parts have in the model: body `b7`, joint `j3`.
+struct MjcfNames {
+  std::map<std::pair<std::string, std::string>, int> links;   ///< (model, link)
+  std::map<std::pair<std::string, std::string>, int> joints;  ///< (model, joint)
+  /// Model to its root links. Those of a model that moves have a free joint `f7` of the body's
+  /// number.
+  std::map<std::string, std::vector<int>> roots;
+  std::vector<std::string> collisions;  ///< `model::link::collision` of geom `c12`
+  std::vector<std::pair<std::string, std::string>> link_names;  ///< of the bodies, by number
+  std::vector<int> weightless;  ///< bodies that gravity does not pull
+};
+
+struct Mjcf {
+  std::string xml;
+  MjcfNames names;
+  std::vector<std::string> warnings;
+};
+
+/// Geometry groups: what rays of a lidar meet, what collides only, and what is seen.
+constexpr int kCollisionGroup = 0;
+constexpr int kContactOnlyGroup = 1;
+constexpr int kRayOnlyGroup = 2;
+constexpr int kVisualGroup = 3;
+
+/// The sizes of the engine's work memory.
+struct MjcfLimits {
+  int contacts = 200;
+  int stack = 2'000'000;  ///< in numbers of 8 bytes
+};
+
+Mjcf write_mjcf(const World& world, const MeshReader& meshes, const MjcfLimits& limits);
+
+}  // namespace ros2wasm_sim

@@ -1,0 +1,189 @@
+// See mjcf_shapes.hpp.
+#include "physics/mjcf_shapes.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace ros2wasm_sim {
+namespace {
+
+/// Courses write 100000 for "does not slip"; above this the engine's wheels turn less exactly.
+constexpr double kMostFriction = 2;
+
+// Bits beyond the sixteen of SDF. The tread of a wheel meets planes only, the wheel's own cylinder
+// everything else.
+constexpr std::uint32_t kTread = 1U << 16;
+constexpr std::uint32_t kWheel = 1U << 17;
+constexpr std::uint32_t kGround = 1U << 18;
+
+double friction_of(const Surface& surface) {
+  return std::clamp(surface.mu, 0.0, kMostFriction);
+}
+
+/// The rotation that turns z into a direction of length 1.
+Quaternion towards(const Vector3& direction) {
+  const Vector3 z{0, 0, 1};
+  const double cosine = dot(z, direction);
+  if (cosine < -1 + 1e-12) return {0, 1, 0, 0};
+  const Vector3 axis = cross(z, direction);
+  const Quaternion q{1 + cosine, axis.x, axis.y, axis.z};
+  const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {q.w / size, q.x / size, q.y / size, q.z / size};
+}
+
+/// A wheel: a cylinder that turns freely about its own axis.
+bool is_wheel(const Collision& shape, const Joint* joint) {
+  const auto* cylinder = std::get_if<Cylinder>(&shape.geometry);
+  if (cylinder == nullptr || joint == nullptr || joint->type != JointType::kRevolute) return false;
+  if (joint->axes.empty() || std::isfinite(joint->axes[0].lower)) return false;
+  const Vector3 axis = rotate(joint->pose.orientation, joint->axes[0].xyz);
+  const Vector3 own = rotate(shape.pose.orientation, {0, 0, 1});
+  const Vector3 offset = cross(shape.pose.position - joint->pose.position, axis);
+  return length(cross(axis, own)) < 1e-3 && length(offset) < 1e-3 * cylinder->radius + 1e-9;
+}
+
+std::string bits(std::uint32_t type, std::uint32_t affinity) {
+  return " contype=\"" + std::to_string(static_cast<std::int32_t>(type)) + "\" conaffinity=\"" +
+         std::to_string(static_cast<std::int32_t>(affinity)) + "\"";
+}
+
+}  // namespace
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+std::string text(const Vector3& v) {
+  return number(v.x) + " " + number(v.y) + " " + number(v.z);
+}
+
+std::string placed(const Pose& pose) {
+  const Quaternion& q = pose.orientation;
+  return " pos=\"" + text(pose.position) + "\" quat=\"" + number(q.w) + " " + number(q.x) + " " +
+         number(q.y) + " " + number(q.z) + "\"";
+}
+
+ShapeWriter::ShapeWriter(const World& world, const MeshReader& meshes)
+    : meshes_(meshes), step_(world.physics.max_step_size) {
+  for (const Model& model : world.models)
+    for (const Link& link : model.links)
+      for (const Collision& shape : link.collisions) priorities_[friction_of(shape.surface)] = 0;
+  // In a pair the geom of the higher priority decides: so the smaller friction does, as in Gazebo.
+  int rank = static_cast<int>(priorities_.size());
+  for (auto& [mu, priority] : priorities_) priority = rank--;
+}
+
+int ShapeWriter::priority(double mu) const {
+  return priorities_.at(mu);
+}
+
+std::string ShapeWriter::shapes_of(const Model& model, const Link& link, const Joint* joint,
+                                   bool moves, Mjcf& mjcf) {
+  std::string geoms;
+  for (const Collision& shape : link.collisions) {
+    const std::size_t before = mjcf.names.collisions.size();
+    geoms += collision(shape, link, joint, moves, mjcf);
+    for (std::size_t i = before; i < mjcf.names.collisions.size(); ++i)
+      mjcf.names.collisions[i] = model.name + "::" + link.name + "::" + shape.name;
+  }
+  for (const Visual& shape : link.visuals) geoms += visual(shape, mjcf);
+  return geoms;
+}
+
+std::string ShapeWriter::collision(const Collision& shape, const Link& link, const Joint* joint,
+                                   bool moves, Mjcf& mjcf) {
+  const std::string what = "collision `" + shape.name + "` of link `" + link.name + "`";
+  const std::string where = form(shape.geometry, shape.pose, moves, what, mjcf);
+  if (where.empty()) return {};
+  const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
+                        int group, const std::string& more = {}) {
+    const int index = static_cast<int>(mjcf.names.collisions.size());
+    mjcf.names.collisions.emplace_back();
+    const double mu = friction_of(shape.surface);
+    return "<geom name=\"c" + std::to_string(index) + "\"" + form + bits(type, affinity) +
+           " group=\"" + std::to_string(group) + "\" priority=\"" + std::to_string(priority(mu)) +
+           "\" friction=\"" + number(mu) + " .005 .0001\"" + more + "/>\n";
+  };
+  const Surface& surface = shape.surface;
+  colliding_.insert(static_cast<int>(mjcf.names.link_names.size()) - 1);
+  if (surface.collide_without_contact) return geom(where, 0, 0, kCollisionGroup);
+  if (std::holds_alternative<Plane>(shape.geometry))
+    return geom(where, kGround, surface.collide_bitmask | kTread, kCollisionGroup);
+  if (!is_wheel(shape, joint))
+    return geom(where, surface.category_bitmask, surface.collide_bitmask, kCollisionGroup);
+  // A cylinder scrubs on two edges when it turns; a sphere of its radius rolls on one point. It is
+  // stiff, so that it does not sink in and slip.
+  const Cylinder& wheel = std::get<Cylinder>(shape.geometry);
+  const std::string tread =
+      " type=\"sphere\" size=\"" + number(wheel.radius) + "\"" + placed({shape.pose.position, {}});
+  return geom(where, kWheel, surface.collide_bitmask | kWheel, kCollisionGroup) +
+         geom(tread, kTread, 0, kContactOnlyGroup,
+              " solmix=\"1000\" solref=\"" + number(2 * step_) + " 1\"");
+}
+
+std::string ShapeWriter::visual(const Visual& shape, Mjcf& mjcf) {
+  Geometry geometry = shape.geometry;
+  Pose pose = shape.pose;
+  if (const auto* plane = std::get_if<Plane>(&shape.geometry)) {  // it is drawn as large as it is
+    pose = pose * Pose{{}, towards(plane->normal)};
+    geometry = Box{{plane->width, plane->height, 1e-4}};
+  }
+  const std::string where = form(geometry, pose, false, "visual `" + shape.name + "`", mjcf);
+  if (where.empty()) return {};
+  const Color& color = shape.material.diffuse;
+  return "<geom" + where + bits(0, 0) + " group=\"" + std::to_string(kVisualGroup) + "\" rgba=\"" +
+         number(color.r) + " " + number(color.g) + " " + number(color.b) + " 1\"/>\n";
+}
+
+std::string ShapeWriter::form(const Geometry& geometry, const Pose& pose, bool moves,
+                              const std::string& what, Mjcf& mjcf) {
+  const auto with = [&](const std::string& type, const std::string& size) {
+    return " type=\"" + type + "\" size=\"" + size + "\"" + placed(pose);
+  };
+  if (const auto* box = std::get_if<Box>(&geometry)) return with("box", text(0.5 * box->size));
+  if (const auto* one = std::get_if<Cylinder>(&geometry))
+    return with("cylinder", number(one->radius) + " " + number(one->length / 2));
+  if (const auto* one = std::get_if<Sphere>(&geometry)) return with("sphere", number(one->radius));
+  if (const auto* one = std::get_if<Capsule>(&geometry))
+    return with("capsule", number(one->radius) + " " + number(one->length / 2));
+  if (const auto* one = std::get_if<Ellipsoid>(&geometry))
+    return with("ellipsoid", text(one->radii));
+  if (const auto* plane = std::get_if<Plane>(&geometry)) {
+    if (moves) {
+      mjcf.warnings.push_back(what + " is skipped: a plane cannot move");
+      return {};
+    }
+    return " type=\"plane\" size=\"0 0 1\"" + placed(pose * Pose{{}, towards(plane->normal)});
+  }
+  if (const auto* one = std::get_if<Mesh>(&geometry)) {
+    const std::string name = mesh(*one, what, mjcf);
+    if (name.empty()) return {};
+    return " type=\"mesh\" mesh=\"" + name + "\"" + placed(pose);
+  }
+  if (std::holds_alternative<Heightmap>(geometry))
+    mjcf.warnings.push_back(what + " is skipped: heightmaps are not simulated yet");
+  return {};
+}
+
+std::string ShapeWriter::mesh(const Mesh& mesh, const std::string& what, Mjcf& mjcf) {
+  const std::string key = mesh.path + "\n" + mesh.submesh + "\n" + text(mesh.scale);
+  const auto known = mesh_names_.find(key);
+  if (known != mesh_names_.end()) return known->second;
+  std::string& name = mesh_names_[key];
+  const std::shared_ptr<const TriangleMesh> read = meshes_ ? meshes_(mesh) : nullptr;
+  if (read == nullptr || read->faces.empty()) {
+    mjcf.warnings.push_back(what + " is skipped: its mesh `" + mesh.uri + "` cannot be read");
+    return name;
+  }
+  name = "m" + std::to_string(mesh_names_.size());
+  assets_ += "<mesh name=\"" + name + "\" scale=\"" + text(mesh.scale) + "\" vertex=\"";
+  for (const float value : read->vertices) assets_ += number(value) + " ";
+  assets_ += "\" face=\"";
+  for (const int value : read->faces) assets_ += std::to_string(value) + " ";
+  assets_ += "\"/>\n";
+  return name;
+}
+
+}  // namespace ros2wasm_sim

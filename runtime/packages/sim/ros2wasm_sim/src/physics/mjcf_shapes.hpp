@@ -1,0 +1,47 @@
+// Collisions and visuals as geoms of MuJoCo's model language.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "physics/mjcf.hpp"
+
+namespace ros2wasm_sim {
+
+std::string number(double value);
+std::string text(const Vector3& v);
+/// ` pos="..." quat="..."`.
+std::string placed(const Pose& pose);
+
+class ShapeWriter {
+ public:
+  ShapeWriter(const World& world, const MeshReader& meshes);
+
+  /// The geoms of a link. `joint` is the one that it hangs on, or null.
+  std::string shapes_of(const Model& model, const Link& link, const Joint* joint, bool moves,
+                        Mjcf& mjcf);
+  bool collides(int body) const { return colliding_.count(body) != 0; }
+  /// The meshes that were used.
+  const std::string& assets() const { return assets_; }
+
+ private:
+  std::string collision(const Collision& shape, const Link& link, const Joint* joint, bool moves,
+                        Mjcf& mjcf);
+  std::string visual(const Visual& shape, Mjcf& mjcf);
+  /// ` type="box" size="..." pos="..." quat="..."`, or nothing when the geometry cannot be had.
+  std::string form(const Geometry& geometry, const Pose& pose, bool moves, const std::string& what,
+                   Mjcf& mjcf);
+  std::string mesh(const Mesh& mesh, const std::string& what, Mjcf& mjcf);
+  int priority(double mu) const;
+
+  const MeshReader& meshes_;
+  double step_;  ///< seconds
+  std::map<double, int> priorities_;
+  std::map<std::string, std::string> mesh_names_;  ///< by path, part and scale
+  std::string assets_;
+  std::set<int> colliding_;
+};
+
+}  // namespace ros2wasm_sim

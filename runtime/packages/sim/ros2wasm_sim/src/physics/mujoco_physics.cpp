@@ -1,0 +1,570 @@
+// The physics by MuJoCo. Only this file knows its types.
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "physics/mjcf.hpp"
+#include "physics/physics.hpp"
+
+namespace ros2wasm_sim {
+namespace {
+
+struct FreeModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+struct FreeData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+struct FreeFiles {
+  void operator()(mjVFS* files) const {
+    mj_deleteVFS(files);
+    delete files;
+  }
+};
+using ModelPointer = std::unique_ptr<mjModel, FreeModel>;
+using DataPointer = std::unique_ptr<mjData, FreeData>;
+
+/// MuJoCo's own errors, which natively end the process.
+void throw_engine_error(const char* message) {
+  throw PhysicsError(message);
+}
+void ignore_warning(const char*) {}
+
+Vector3 vector(const mjtNum* v) {
+  return {v[0], v[1], v[2]};
+}
+Quaternion quaternion(const mjtNum* q) {
+  return {q[0], q[1], q[2], q[3]};
+}
+void put(const Vector3& v, mjtNum* out) {
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+void put(const Quaternion& q, mjtNum* out) {
+  out[0] = q.w;
+  out[1] = q.x;
+  out[2] = q.y;
+  out[3] = q.z;
+}
+
+constexpr int kMostContacts = 1000;
+constexpr int kMostStack = 40'000'000;  // 320 MB
+
+struct Motor {
+  bool on = false;
+  double velocity = 0;
+  double max_effort = 0;
+  double effort = 0;  ///< when it is off
+};
+
+struct JointRow {
+  std::string model = {}, name = {};
+  int id = -1;   ///< of MuJoCo
+  int dof = -1;  ///< -1 for joints that have no single axis
+  int position = -1;
+  Motor motor = {};
+  double base_friction = 0;  ///< that the world gives
+  double efforts = 0;        ///< of the last step
+};
+
+struct LinkRow {
+  std::string model, name;
+  int body = -1;
+};
+
+class MujocoPhysics final : public Physics {
+ public:
+  explicit MujocoPhysics(MeshReader meshes) : meshes_(std::move(meshes)) {
+    mju_user_error = throw_engine_error;
+    mju_user_warning = ignore_warning;
+  }
+
+  void set_world(const World& world) override {
+    MjcfLimits limits = limits_;
+    build(world, limits);
+    world_ = world;
+  }
+
+  double step_size() const override { return model_ ? model_->opt.timestep : 0.001; }
+
+  void step() override {
+    try {
+      step_once();
+    } catch (const PhysicsError&) {
+      if (!grow()) throw;
+      step_once();
+    }
+    if (data_->warning[mjWARN_BADQPOS].number + data_->warning[mjWARN_BADQVEL].number +
+            data_->warning[mjWARN_BADQACC].number >
+        0)
+      report_explosion();
+    if (data_->warning[mjWARN_CONTACTFULL].number + data_->warning[mjWARN_CNSTRFULL].number > 0)
+      grow();
+  }
+
+  void reset() override {
+    mj_resetData(model_.get(), data_.get());
+    for (const auto& [name, roots] : names_.roots)
+      for (const int number : roots) {
+        const Model* model = model_named(name);
+        place_root(number, model->pose * link_pose(*model, names_.link_names[number].second), true);
+      }
+    for (JointRow& row : joints_) {
+      row.motor = {};
+      row.efforts = 0;
+    }
+    apply_motors();
+    mj_forward(model_.get(), data_.get());
+  }
+
+  LinkHandle link(const std::string& model, const std::string& link) override {
+    const auto known = names_.links.find({model, link});
+    if (known == names_.links.end()) return {};
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      if (links_[i].body == bodies_[known->second]) return {static_cast<int>(i)};
+    links_.push_back({model, link, bodies_[known->second]});
+    return {static_cast<int>(links_.size()) - 1};
+  }
+
+  JointHandle joint(const std::string& model, const std::string& joint) override {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+      if (joints_[i].id >= 0 && joints_[i].name == joint && joints_[i].model == model)
+        return {static_cast<int>(i)};
+    return {};
+  }
+
+  Pose pose(LinkHandle link) const override {
+    const int body = body_of(link);
+    if (body < 0) return {};
+    return {vector(data_->xpos + 3 * body), quaternion(data_->xquat + 4 * body)};
+  }
+
+  Motion velocity(LinkHandle link) const override {
+    const int body = body_of(link);
+    if (body < 0) return {};
+    std::array<mjtNum, 6> both{};
+    mj_objectVelocity(model_.get(), data_.get(), mjOBJ_XBODY, body, both.data(), 0);
+    return {vector(both.data() + 3), vector(both.data())};
+  }
+
+  Motion proper_acceleration(LinkHandle link) override {
+    const int body = body_of(link);
+    if (body < 0) return {};
+    mj_rnePostConstraint(model_.get(), data_.get());
+    std::array<mjtNum, 6> both{};
+    mj_objectAcceleration(model_.get(), data_.get(), mjOBJ_XBODY, body, both.data(), 0);
+    return {vector(both.data() + 3), vector(both.data())};
+  }
+
+  double position(JointHandle joint) const override {
+    const JointRow* row = row_of(joint);
+    return row == nullptr || row->dof < 0 ? 0 : data_->qpos[row->position];
+  }
+  double velocity(JointHandle joint) const override {
+    const JointRow* row = row_of(joint);
+    return row == nullptr || row->dof < 0 ? 0 : data_->qvel[row->dof];
+  }
+  double effort(JointHandle joint) const override {
+    const JointRow* row = row_of(joint);
+    return row == nullptr ? 0 : row->efforts;
+  }
+
+  void set_motor(JointHandle joint, double velocity, double max_effort) override {
+    if (JointRow* row = row_of(joint)) {
+      row->motor = {true, velocity, max_effort, 0};
+      apply_motor(*row);
+    }
+  }
+  void set_effort(JointHandle joint, double effort) override {
+    if (JointRow* row = row_of(joint)) {
+      row->motor = {false, 0, 0, effort};
+      apply_motor(*row);
+    }
+  }
+  void set_position(JointHandle joint, double position) override {
+    JointRow* row = row_of(joint);
+    if (row == nullptr || row->dof < 0) return;
+    data_->qpos[row->position] = position;
+    data_->qvel[row->dof] = 0;
+    mj_kinematics(model_.get(), data_.get());
+  }
+
+  bool set_model_pose(const std::string& model, const Pose& pose, bool at_rest) override {
+    const auto roots = names_.roots.find(model);
+    if (roots == names_.roots.end() || roots->second.empty()) return false;
+    const Model* described = model_named(model);
+    for (const int number : roots->second) {
+      const std::string& link = names_.link_names[number].second;
+      const Pose offset = link_pose(*described, link);
+      place_root(number, pose * offset, at_rest);
+    }
+    if (at_rest) rest_joints(model);
+    mj_forward(model_.get(), data_.get());
+    return true;
+  }
+
+  bool set_model_velocity(const std::string& model, const Motion& velocity) override {
+    const auto roots = names_.roots.find(model);
+    if (roots == names_.roots.end()) return false;
+    for (const int number : roots->second) {
+      const int joint =
+          mj_name2id(model_.get(), mjOBJ_JOINT, ("f" + std::to_string(number)).c_str());
+      if (joint < 0) continue;
+      mjtNum* speeds = data_->qvel + model_->jnt_dofadr[joint];
+      const Quaternion turned = quaternion(data_->qpos + model_->jnt_qposadr[joint] + 3);
+      put(velocity.linear, speeds);
+      put(rotate(inverse(turned), velocity.angular),
+          speeds + 3);  // of free joints: in the body's axes
+    }
+    return true;
+  }
+
+  void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque) override {
+    const int body = body_of(link);
+    if (body < 0) return;
+    mjtNum* applied = data_->xfrc_applied + 6 * body;
+    const std::array<double, 6> more{force.x, force.y, force.z, torque.x, torque.y, torque.z};
+    for (int i = 0; i < 6; ++i) applied[i] += more[i];
+  }
+
+  void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
+            std::vector<double>& distances) override {
+    std::array<mjtByte, mjNGROUP> groups{};
+    if (sees == RaySees::kCollisions) groups[kCollisionGroup] = groups[kRayOnlyGroup] = 1;
+    if (sees == RaySees::kVisuals) groups[kVisualGroup] = 1;
+    distances.resize(rays.size());
+    const int without = body_of(exclude);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      mjtNum from[3], along[3];
+      put(rays[i].origin, from);
+      put(rays[i].direction, along);
+      int geom = -1;
+      const mjtNum far =
+          mj_ray(model_.get(), data_.get(), from, along, groups.data(), 1, without, &geom);
+      distances[i] = far < 0 ? kInfinity : far;
+    }
+  }
+
+  std::vector<Contact> contacts() override {
+    if (!records_contacts_) record_contacts();
+    records_contacts_ = true;
+    return contacts_;
+  }
+
+  std::string collision_name(int collision) const override {
+    return collision < 0 || collision >= static_cast<int>(names_.collisions.size())
+               ? std::string()
+               : names_.collisions[collision];
+  }
+
+  /// FNV-1a over the bits of the state.
+  std::uint64_t state_hash() const override {
+    std::uint64_t hash = 14695981039346656037ULL;
+    const auto add = [&](const mjtNum* values, int count) {
+      for (int i = 0; i < count; ++i) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, values + i, sizeof bits);
+        for (int byte = 0; byte < 8; ++byte)
+          hash = (hash ^ (bits >> (8 * byte) & 0xff)) * 1099511628211ULL;
+      }
+    };
+    add(data_->qpos, model_->nq);
+    add(data_->qvel, model_->nv);
+    return hash;
+  }
+
+ private:
+  /// Where a part was, by its names, to go on from there in another model.
+  struct State {
+    std::map<std::pair<std::string, std::string>, std::pair<double, double>> joints;
+    std::map<std::pair<std::string, std::string>, std::array<double, 13>> roots;
+    std::map<std::pair<std::string, std::string>, Pose> fixed;
+  };
+
+  void build(const World& world, const MjcfLimits& limits) {
+    Mjcf written = write_mjcf(world, meshes_, limits);
+    ModelPointer model = compile(written.xml);
+    DataPointer data(mj_makeData(model.get()));
+    if (!data) throw PhysicsError("there is not enough memory for the world");
+    const State state = model_ ? state_of() : State{};
+    model_ = std::move(model);
+    data_ = std::move(data);
+    names_ = std::move(written.names);
+    limits_ = limits;
+    refresh_handles();
+    restore(state);
+    apply_motors();
+    mj_forward(model_.get(), data_.get());
+  }
+
+  static ModelPointer compile(const std::string& xml) {
+    std::unique_ptr<mjVFS, FreeFiles> files(new mjVFS);
+    mj_defaultVFS(files.get());
+    if (mj_makeEmptyFileVFS(files.get(), "world.xml", static_cast<int>(xml.size())) != 0)
+      throw PhysicsError("there is not enough memory for the world");
+    std::memcpy(files->filedata[mj_findFileVFS(files.get(), "world.xml")], xml.data(), xml.size());
+    char error[1000] = "";
+    ModelPointer model(mj_loadXML("world.xml", files.get(), error, sizeof error));
+    if (!model) throw PhysicsError(error);
+    mj_freeLastXML();
+    return model;
+  }
+
+  /// Tables from our numbers to MuJoCo's.
+  void refresh_handles() {
+    bodies_.assign(names_.link_names.size(), -1);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      bodies_[i] = mj_name2id(model_.get(), mjOBJ_BODY, ("b" + std::to_string(i)).c_str());
+    collisions_.assign(model_->ngeom, -1);
+    for (std::size_t i = 0; i < names_.collisions.size(); ++i) {
+      const int geom = mj_name2id(model_.get(), mjOBJ_GEOM, ("c" + std::to_string(i)).c_str());
+      if (geom >= 0) collisions_[geom] = static_cast<int>(i);
+    }
+    for (LinkRow& row : links_) {
+      const auto known = names_.links.find({row.model, row.name});
+      row.body = known == names_.links.end() ? -1 : bodies_[known->second];
+    }
+    for (JointRow& row : joints_) row.id = row.dof = row.position = -1;
+    for (const auto& [name, number] : names_.joints) {
+      JointRow& row = joint_row(name.first, name.second);
+      row.id = mj_name2id(model_.get(), mjOBJ_JOINT, ("j" + std::to_string(number)).c_str());
+      const bool single =
+          model_->jnt_type[row.id] == mjJNT_HINGE || model_->jnt_type[row.id] == mjJNT_SLIDE;
+      row.dof = single ? model_->jnt_dofadr[row.id] : -1;
+      row.position = model_->jnt_qposadr[row.id];
+      row.base_friction = single ? model_->dof_frictionloss[row.dof] : 0;
+    }
+    weightless_.clear();
+    for (const int number : names_.weightless) weightless_.push_back(bodies_[number]);
+  }
+
+  JointRow& joint_row(const std::string& model, const std::string& name) {
+    const auto [known, is_new] = joint_rows_.try_emplace({model, name}, joints_.size());
+    if (is_new) joints_.push_back({model, name});
+    return joints_[known->second];
+  }
+
+  State state_of() const {
+    State state;
+    for (const JointRow& row : joints_)
+      if (row.dof >= 0)
+        state.joints[{row.model, row.name}] = {data_->qpos[row.position], data_->qvel[row.dof]};
+    for (const auto& [model, roots] : names_.roots)
+      for (const int number : roots) {
+        const int joint = free_joint(number);
+        const std::pair<std::string, std::string> key{model, names_.link_names[number].second};
+        if (joint < 0) {
+          const int body = bodies_[number];
+          state.fixed[key] = {vector(model_->body_pos + 3 * body),
+                              quaternion(model_->body_quat + 4 * body)};
+          continue;
+        }
+        std::array<double, 13>& values = state.roots[key];
+        std::copy_n(data_->qpos + model_->jnt_qposadr[joint], 7, values.begin());
+        std::copy_n(data_->qvel + model_->jnt_dofadr[joint], 6, values.begin() + 7);
+      }
+    return state;
+  }
+
+  void restore(const State& state) {
+    for (const JointRow& row : joints_) {
+      const auto old = state.joints.find({row.model, row.name});
+      if (row.dof < 0 || old == state.joints.end()) continue;
+      data_->qpos[row.position] = old->second.first;
+      data_->qvel[row.dof] = old->second.second;
+    }
+    for (const auto& [model, roots] : names_.roots)
+      for (const int number : roots) {
+        const std::pair<std::string, std::string> key{model, names_.link_names[number].second};
+        const int joint = free_joint(number);
+        if (joint < 0) {
+          if (const auto old = state.fixed.find(key); old != state.fixed.end()) {
+            put(old->second.position, model_->body_pos + 3 * bodies_[number]);
+            put(old->second.orientation, model_->body_quat + 4 * bodies_[number]);
+          }
+          continue;
+        }
+        const auto old = state.roots.find(key);
+        if (old == state.roots.end()) continue;
+        std::copy_n(old->second.begin(), 7, data_->qpos + model_->jnt_qposadr[joint]);
+        std::copy_n(old->second.begin() + 7, 6, data_->qvel + model_->jnt_dofadr[joint]);
+      }
+  }
+
+  void apply_motors() {
+    for (JointRow& row : joints_) apply_motor(row);
+  }
+
+  /// A motor is a dry friction that is at rest at the wanted velocity: see drive_motors().
+  void apply_motor(const JointRow& row) {
+    if (row.dof < 0) return;
+    model_->dof_frictionloss[row.dof] =
+        row.motor.on ? std::max(row.motor.max_effort, 1e-9) : row.base_friction;
+    data_->qfrc_applied[row.dof] = row.motor.on ? 0 : row.motor.effort;
+  }
+
+  /// The first half of MuJoCo's step comes last, so that poses, velocities and contacts are those
+  /// of the new state; mj_forward() has done it before the first step.
+  void step_once() {
+    drive_motors();
+    for (const int body : weightless_) {
+      mjtNum* applied = data_->xfrc_applied + 6 * body;
+      for (int i = 0; i < 3; ++i) applied[i] -= model_->body_mass[body] * model_->opt.gravity[i];
+    }
+    mj_step2(model_.get(), data_.get());
+    read_efforts();
+    if (records_contacts_) record_contacts();
+    std::fill_n(data_->xfrc_applied, 6 * model_->nbody, 0.0);
+    mj_step1(model_.get(), data_.get());
+  }
+
+  /// The solver takes friction along a joint as a force, limited by `frictionloss`, that brings the
+  /// joint's velocity to 0, together with all contacts. Its reference is shifted here, so that the
+  /// velocity comes to that of the motor: a motor with a limited torque, as Gazebo's engines have.
+  void drive_motors() {
+    motor_rows_.assign(model_->nv, -1);
+    for (int row = data_->ne; row < data_->ne + data_->nf; ++row)
+      if (data_->efc_type[row] == mjCNSTR_FRICTION_DOF) motor_rows_[data_->efc_id[row]] = row;
+    for (const JointRow& joint : joints_) {
+      if (joint.dof < 0 || !joint.motor.on || motor_rows_[joint.dof] < 0) continue;
+      const int row = motor_rows_[joint.dof];
+      data_->efc_aref[row] += data_->efc_KBIP[4 * row + 1] * joint.motor.velocity;
+    }
+  }
+
+  void read_efforts() {
+    for (JointRow& joint : joints_) {
+      if (joint.dof < 0) continue;
+      const int row = joint.motor.on ? motor_rows_[joint.dof] : -1;
+      joint.efforts = row >= 0 ? data_->efc_force[row] : joint.motor.effort;
+    }
+  }
+
+  /// More work memory, for worlds with many contacts. False when it is as large as it may be.
+  bool grow() {
+    MjcfLimits limits = limits_;
+    limits.contacts = std::min(2 * limits.contacts, kMostContacts);
+    limits.stack = std::min(2 * limits.stack, kMostStack);
+    std::fill_n(data_->warning, mjNWARNING, mjWarningStat{});
+    if (limits.contacts == limits_.contacts && limits.stack == limits_.stack) return false;
+    build(world_, limits);
+    return true;
+  }
+
+  [[noreturn]] void report_explosion() {
+    const mjWarningStat* found = nullptr;
+    int dof = -1;
+    for (const int kind : {mjWARN_BADQVEL, mjWARN_BADQACC})
+      if (data_->warning[kind].number > 0) {
+        found = &data_->warning[kind];
+        dof = found->lastinfo;
+      }
+    std::string model = "a model";
+    if (found == nullptr) {
+      const int position = data_->warning[mjWARN_BADQPOS].lastinfo;
+      for (int joint = 0; joint < model_->njnt; ++joint)
+        if (model_->jnt_qposadr[joint] <= position) dof = model_->jnt_dofadr[joint];
+    }
+    if (dof >= 0 && dof < model_->nv) {
+      const int body = model_->dof_bodyid[dof];
+      for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i] == body)
+          model = "model `" + names_.link_names[i].first + "`, link `" +
+                  names_.link_names[i].second + "`,";
+    }
+    std::fill_n(data_->warning, mjNWARNING, mjWarningStat{});
+    throw PhysicsError(
+        model +
+        " moves faster than can be computed: the world is reset and paused; look at its "
+        "masses, moments of inertia and overlapping collisions");
+  }
+
+  /// Of the step that was made: their forces are known by then.
+  void record_contacts() {
+    contacts_.clear();
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& one = data_->contact[i];
+      if (one.efc_address < 0) continue;
+      mjtNum force[6];
+      mj_contactForce(model_.get(), data_.get(), i, force);
+      Contact contact;
+      contact.collision[0] = collisions_[one.geom1];
+      contact.collision[1] = collisions_[one.geom2];
+      contact.position = vector(one.pos);
+      contact.normal = vector(one.frame);
+      contact.depth = -one.dist;
+      contact.force = force[0] * vector(one.frame) + force[1] * vector(one.frame + 3) +
+                      force[2] * vector(one.frame + 6);
+      contacts_.push_back(contact);
+    }
+  }
+
+  int free_joint(int number) const {
+    return mj_name2id(model_.get(), mjOBJ_JOINT, ("f" + std::to_string(number)).c_str());
+  }
+
+  void place_root(int number, const Pose& pose, bool at_rest) {
+    const int joint = free_joint(number);
+    if (joint < 0) {
+      put(pose.position, model_->body_pos + 3 * bodies_[number]);
+      put(pose.orientation, model_->body_quat + 4 * bodies_[number]);
+      return;
+    }
+    mjtNum* where = data_->qpos + model_->jnt_qposadr[joint];
+    put(pose.position, where);
+    put(pose.orientation, where + 3);
+    if (at_rest) std::fill_n(data_->qvel + model_->jnt_dofadr[joint], 6, 0.0);
+  }
+
+  void rest_joints(const std::string& model) {
+    for (const JointRow& row : joints_)
+      if (row.model == model && row.dof >= 0) data_->qvel[row.dof] = 0;
+  }
+
+  const Model* model_named(const std::string& name) const {
+    const auto found = std::find_if(world_.models.begin(), world_.models.end(),
+                                    [&](const Model& one) { return one.name == name; });
+    return found == world_.models.end() ? nullptr : &*found;
+  }
+  static Pose link_pose(const Model& model, const std::string& link) {
+    const auto found = std::find_if(model.links.begin(), model.links.end(),
+                                    [&](const Link& one) { return one.name == link; });
+    return found == model.links.end() ? Pose{} : found->pose;
+  }
+
+  int body_of(LinkHandle link) const { return link.valid() ? links_[link.index].body : -1; }
+  const JointRow* row_of(JointHandle joint) const {
+    return joint.valid() && joints_[joint.index].id >= 0 ? &joints_[joint.index] : nullptr;
+  }
+  JointRow* row_of(JointHandle joint) {
+    return joint.valid() && joints_[joint.index].id >= 0 ? &joints_[joint.index] : nullptr;
+  }
+
+  MeshReader meshes_;
+  World world_;
+  MjcfLimits limits_;
+  ModelPointer model_;
+  DataPointer data_;
+  MjcfNames names_;
+  std::vector<int> bodies_;      ///< MuJoCo's number of our body
+  std::vector<int> collisions_;  ///< our number of MuJoCo's geom, or -1
+  std::vector<LinkRow> links_;
+  std::vector<JointRow> joints_;
+  std::map<std::pair<std::string, std::string>, std::size_t> joint_rows_;
+  std::vector<int> weightless_;
+  std::vector<int> motor_rows_;
+  bool records_contacts_ = false;  ///< from the first time that somebody asks
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace
+
+std::unique_ptr<Physics> make_physics(MeshReader meshes) {
+  return std::make_unique<MujocoPhysics>(std::move(meshes));
+}
+
+}  // namespace ros2wasm_sim

@@ -1,0 +1,117 @@
+// The engine of the simulation, behind one interface. Links and joints have handles that stay valid
+// when models come and go; those of a removed model answer as if they rested at the origin.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "world/world.hpp"
+
+namespace ros2wasm_sim {
+
+/// The engine cannot take the world, or its state is not finite any more; the text is for people.
+class PhysicsError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct LinkHandle {
+  int index = -1;
+  bool valid() const { return index >= 0; }
+};
+struct JointHandle {
+  int index = -1;
+  bool valid() const { return index >= 0; }
+};
+
+/// Along the axes of the world, at the origin of the link.
+struct Motion {
+  Vector3 linear;   ///< m/s, or m/s^2
+  Vector3 angular;  ///< rad/s, or rad/s^2
+};
+
+struct Contact {
+  int collision[2] = {-1, -1};  ///< see Physics::collision_name()
+  Vector3 position;
+  Vector3 normal;    ///< from the first to the second
+  double depth = 0;  ///< metres, positive when they overlap
+  Vector3 force;     ///< newtons on the second, in the world's axes
+};
+
+/// Which shapes a ray meets: those that collide, or those that are seen.
+enum class RaySees { kCollisions, kVisuals };
+
+struct Ray {
+  Vector3 origin;
+  Vector3 direction;  ///< of length 1
+};
+
+/// The triangles of a mesh: three coordinates a vertex, three vertices a face.
+struct TriangleMesh {
+  std::vector<float> vertices;
+  std::vector<int> faces;
+};
+using MeshReader = std::function<std::shared_ptr<const TriangleMesh>(const Mesh& mesh)>;
+
+class Physics {
+ public:
+  virtual ~Physics() = default;
+
+  /// Takes a world in place of the present one. What has the same names goes on where it was, the
+  /// rest begins at its pose. Throws PhysicsError, and then goes on with the world that it had.
+  virtual void set_world(const World& world) = 0;
+
+  virtual double step_size() const = 0;  ///< seconds
+  /// Throws PhysicsError when the state is not finite; it names the model.
+  virtual void step() = 0;
+  /// All poses and velocities as the world describes them.
+  virtual void reset() = 0;
+
+  /// A handle that is not valid when there is no such link or joint.
+  virtual LinkHandle link(const std::string& model, const std::string& link) = 0;
+  virtual JointHandle joint(const std::string& model, const std::string& joint) = 0;
+
+  virtual Pose pose(LinkHandle link) const = 0;  ///< in the world
+  virtual Motion velocity(LinkHandle link) const = 0;
+  /// What an accelerometer at the link's origin feels: at rest, the opposite of gravity.
+  virtual Motion proper_acceleration(LinkHandle link) = 0;
+
+  virtual double position(JointHandle joint) const = 0;  ///< rad or m
+  virtual double velocity(JointHandle joint) const = 0;
+  virtual double effort(JointHandle joint) const = 0;  ///< N m or N, of motor and forces
+
+  /// A motor that holds a velocity with at most this effort, until another command.
+  virtual void set_motor(JointHandle joint, double velocity, double max_effort) = 0;
+  /// No motor; this effort until another command.
+  virtual void set_effort(JointHandle joint, double effort) = 0;
+  /// Puts the joint there at once, at rest.
+  virtual void set_position(JointHandle joint, double position) = 0;
+
+  /// Moves a model at once; it rests then when `at_rest`.
+  virtual bool set_model_pose(const std::string& model, const Pose& pose, bool at_rest) = 0;
+  /// Sets the velocity of a model's root, along the axes of the world.
+  virtual bool set_model_velocity(const std::string& model, const Motion& velocity) = 0;
+  /// A force and a torque on the link's centre of mass, for the next step.
+  virtual void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque) = 0;
+
+  /// Metres to what each ray meets first, or infinity. Nothing of `exclude` is met.
+  virtual void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
+                    std::vector<double>& distances) = 0;
+
+  /// Those of the last step.
+  virtual std::vector<Contact> contacts() = 0;
+  /// `model::link::collision`.
+  virtual std::string collision_name(int collision) const = 0;
+
+  /// A digest of all positions and velocities.
+  virtual std::uint64_t state_hash() const = 0;
+};
+
+std::unique_ptr<Physics> make_physics(MeshReader meshes);
+
+}  // namespace ros2wasm_sim

@@ -1,0 +1,56 @@
+// What plugins of Gazebo are made of. One plugin is one file and one row in table.cpp.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "core/simulation.hpp"
+#include "plugins/parameters.hpp"
+#include "ros/host.hpp"
+
+namespace ros2wasm_sim {
+
+/// Where a plugin is, and what it may use. Valid while the plugin is made only, but for the
+/// simulation and the host, which outlive it.
+struct PluginContext {
+  Simulation& simulation;
+  Host& host;
+  const Plugin& plugin;
+  const Model* model = nullptr;    ///< null: of the world
+  const Link* link = nullptr;      ///< of the sensor
+  const Sensor* sensor = nullptr;  ///< null: not of a sensor
+
+  Physics& physics() const { return simulation.physics(); }
+};
+
+/// Why a plugin does not work; the text is an error of its node.
+class PluginError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+using MakePlugin = std::unique_ptr<System> (*)(const PluginContext& context);
+
+// Gazebo Classic.
+std::unique_ptr<System> make_classic_diff_drive(const PluginContext& context);
+std::unique_ptr<System> make_classic_joint_state_publisher(const PluginContext& context);
+std::unique_ptr<System> make_classic_ray_sensor(const PluginContext& context);
+std::unique_ptr<System> make_classic_imu_sensor(const PluginContext& context);
+std::unique_ptr<System> make_classic_p3d(const PluginContext& context);
+std::unique_ptr<System> make_classic_planar_move(const PluginContext& context);
+
+// Gazebo Sim.
+std::unique_ptr<System> make_diff_drive(const PluginContext& context);
+std::unique_ptr<System> make_joint_state_publisher(const PluginContext& context);
+std::unique_ptr<System> make_odometry_publisher(const PluginContext& context);
+std::unique_ptr<System> make_pose_publisher(const PluginContext& context);
+/// Sensors have no plugin of their own there: a system of the world brings those of its types to
+/// life.
+std::unique_ptr<System> make_gz_lidar(const PluginContext& context);
+std::unique_ptr<System> make_gz_imu(const PluginContext& context);
+
+/// The joint of the plugin's model. Throws PluginError in upstream's words.
+JointHandle joint_of(const PluginContext& context, const std::string& name);
+
+}  // namespace ros2wasm_sim

@@ -1,0 +1,33 @@
+// Topics, frames and rates that sensors of Gazebo Sim have when their element does not say.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "plugins/plugin.hpp"
+
+namespace ros2wasm_sim {
+
+/// `<topic>`, or `/world/W/model/M/link/L/sensor/S` and `what`, such as `/scan`.
+inline std::string sensor_topic(const PluginContext& context, const std::string& what) {
+  const std::string& topic = context.sensor->topic;
+  if (!topic.empty()) return topic;
+  return "/world/" + context.simulation.world().name + "/model/" + context.model->name + "/link/" +
+         context.link->name + "/sensor/" + context.sensor->name + what;
+}
+
+/// `<gz_frame_id>`, or `M/L/S`.
+inline std::string sensor_frame(const PluginContext& context) {
+  const std::string& frame = context.sensor->frame_id;
+  return frame.empty() ? context.model->name + "/" + context.link->name + "/" + context.sensor->name
+                       : frame;
+}
+
+/// Gazebo Sim cuts a period to whole milliseconds: 30 Hz are 30.3.
+inline double whole_milliseconds(double hz) {
+  if (hz <= 0) return 0;
+  const double period_ms = std::floor(1000 / hz);
+  return period_ms < 1 ? 0 : 1000 / period_ms;
+}
+
+}  // namespace ros2wasm_sim

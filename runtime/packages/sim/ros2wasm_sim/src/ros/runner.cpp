@@ -1,0 +1,110 @@
+// See runner.hpp.
+#include "ros/runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "ros/resources.hpp"
+#include "sdf/read_sdf.hpp"
+
+namespace ros2wasm_sim {
+namespace {
+
+using std::chrono_literals::operator""ms;
+
+/// What is made up after a delay, in nanoseconds: more would only make the delay longer.
+constexpr std::int64_t kMostOwed = 100'000'000;
+
+void report(const rclcpp::Logger& logger, const std::vector<Note>& notes, std::string& error) {
+  for (const Note& note : notes) {
+    std::string place = note.file;
+    if (note.line > 0) place += ":" + std::to_string(note.line) + ":" + std::to_string(note.column);
+    const std::string text = place.empty() ? note.text : place + ": " + note.text;
+    if (note.severity == Severity::kError) {
+      if (error.empty()) error = text;
+      RCLCPP_ERROR(logger, "%s", text.c_str());
+    } else {
+      RCLCPP_WARN(logger, "%s", text.c_str());
+    }
+  }
+}
+
+}  // namespace
+
+Runner::Runner(rclcpp::Node::SharedPtr node, Simulation& simulation,
+               std::function<void()> after_step)
+    : node_(std::move(node)),
+      simulation_(simulation),
+      after_step_(std::move(after_step)),
+      last_(clock_.now()) {
+  timer_ = node_->create_wall_timer(4ms, [this] { tick(); });
+}
+
+void Runner::pause(bool paused) {
+  paused_ = paused;
+  owed_ns_ = 0;
+  last_ = clock_.now();
+}
+
+void Runner::step(std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) step_once();
+}
+
+void Runner::tick() {
+  const rclcpp::Time now = clock_.now();
+  const double factor = simulation_.world().physics.real_time_factor;
+  const std::int64_t passed = (now - last_).nanoseconds();
+  last_ = now;
+  if (paused_) return;
+  owed_ns_ +=
+      factor > 0 ? static_cast<std::int64_t>(static_cast<double>(passed) * factor) : kMostOwed;
+  owed_ns_ = std::min(owed_ns_, std::max(kMostOwed, simulation_.step_ns()));
+  // A step that takes longer than it advances must not keep the node from its services.
+  const rclcpp::Time end = now + rclcpp::Duration(50ms);
+  while (owed_ns_ >= simulation_.step_ns() && !paused_ && clock_.now() < end) {
+    owed_ns_ -= simulation_.step_ns();
+    step_once();
+  }
+}
+
+void Runner::step_once() {
+  if (most_steps_ > 0 && steps_ >= most_steps_) return;
+  try {
+    simulation_.step();
+  } catch (const PhysicsError& error) {
+    RCLCPP_ERROR(node_->get_logger(), "%s", error.what());
+    simulation_.reset_poses();
+    pause(true);
+    return;
+  }
+  ++steps_;
+  after_step_();
+}
+
+std::optional<World> load_world(const rclcpp::Logger& logger, const std::string& name) {
+  const auto path = find_world(name);
+  const auto text = path ? site_resources().read(*path) : std::nullopt;
+  if (!text) {
+    RCLCPP_ERROR(logger, "the world [%s] is not found", name.c_str());
+    return std::nullopt;
+  }
+  return load_world_text(logger, *text, *path);
+}
+
+std::optional<World> load_world_text(const rclcpp::Logger& logger, const std::string& text,
+                                     const std::string& file) {
+  Reading<World> reading = read_world(text, file, site_resources());
+  std::string error;
+  report(logger, reading.notes, error);
+  return std::move(reading.value);
+}
+
+std::optional<Model> load_model(const rclcpp::Logger& logger, const std::string& text,
+                                const std::string& file, std::string& error) {
+  Reading<Model> reading = read_model(text, file, site_resources());
+  report(logger, reading.notes, error);
+  if (!reading.value && error.empty()) error = "there is no model";
+  return std::move(reading.value);
+}
+
+}  // namespace ros2wasm_sim

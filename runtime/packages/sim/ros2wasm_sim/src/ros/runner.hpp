@@ -1,0 +1,49 @@
+// Keeps simulated time with the time of the site: the part that both servers share.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/simulation.hpp"
+#include "plugins/table.hpp"
+#include "ros/host.hpp"
+
+namespace ros2wasm_sim {
+
+class Runner {
+ public:
+  /// `after_step` is called after each step.
+  Runner(rclcpp::Node::SharedPtr node, Simulation& simulation, std::function<void()> after_step);
+
+  bool paused() const { return paused_; }
+  void pause(bool paused);
+  /// Steps that are made although the world is paused.
+  void step(std::uint32_t count);
+  /// No steps after these. 0: no limit.
+  void end_after(std::uint64_t steps) { most_steps_ = steps; }
+
+ private:
+  void tick();
+  void step_once();
+
+  rclcpp::Node::SharedPtr node_;
+  Simulation& simulation_;
+  std::function<void()> after_step_;
+  bool paused_ = false;
+  std::uint64_t most_steps_ = 0, steps_ = 0;
+  std::int64_t owed_ns_ = 0;  ///< of simulated time, that is to be made up
+  rclcpp::Time last_;
+  rclcpp::Clock clock_{RCL_STEADY_TIME};
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+
+/// Reads a world and says what is wrong with it. Nothing when it cannot be used.
+std::optional<World> load_world(const rclcpp::Logger& logger, const std::string& name);
+std::optional<World> load_world_text(const rclcpp::Logger& logger, const std::string& text,
+                                     const std::string& file);
+/// Reads a model. An error text in place of a model.
+std::optional<Model> load_model(const rclcpp::Logger& logger, const std::string& text,
+                                const std::string& file, std::string& error);
+
+}  // namespace ros2wasm_sim

@@ -1,0 +1,299 @@
+// Launch files that start Gazebo, Classic and Sim, as courses write them: a robot is spawned, drives by its wheels, and senses a
+// wall with its lidar and its motion with an IMU. Headless on both links, and in Chromium.
+
+// Compatibility, works: launch files that start Gazebo Classic (`gazebo.launch.py`, `spawn_entity.py`) or Gazebo Sim
+// (`gz_sim.launch.py`, `create`, `parameter_bridge`): worlds of SDF, robots of URDF and SDF, wheels, lidar, IMU, joint states, `/clock`
+
+// Compatibility, differs: the physics of the simulator -> MuJoCo, with Gazebo's rules for friction, motors and lumping; cameras,
+// heightmaps and meshes other than STL are skipped, with a warning
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
+
+import { played } from '../support/nightly.ts';
+import { serveFolder } from '../support/static_server.ts';
+import { chromiumOptions } from './chromium.ts';
+import { PackWorkspace } from './pack_workspace.ts';
+
+const watchdog = { timeout: 300_000 };
+
+/** A base on two wheels of 5 cm, 30 cm apart, with the wheels' axle through its origin, and a caster behind. */
+const robot = (gazebo: string): string => `<robot name="scout">
+  <link name="base_footprint"/>
+  <joint name="footprint" type="fixed"><parent link="base_footprint"/><child link="base"/><origin xyz="0 0 0.05"/></joint>
+  <link name="base">
+    <inertial><origin xyz="0 0 0.04"/><mass value="2.5"/><inertia ixx="0.015" iyy="0.02" izz="0.03" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><origin xyz="0 0 0.06"/><geometry><box size="0.3 0.26 0.1"/></geometry></collision>
+    <visual><origin xyz="0 0 0.06"/><geometry><box size="0.3 0.26 0.1"/></geometry></visual>
+  </link>
+  ${[['left', '0.15'], ['right', '-0.15']].map(([side, y]) => `
+  <link name="${side}_wheel">
+    <inertial><mass value="0.2"/><inertia ixx="0.00014" iyy="0.00025" izz="0.00014" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><origin rpy="1.5707963 0 0"/><geometry><cylinder radius="0.05" length="0.03"/></geometry></collision>
+  </link>
+  <joint name="${side}_joint" type="continuous">
+    <parent link="base"/><child link="${side}_wheel"/><origin xyz="0 ${y} 0"/><axis xyz="0 1 0"/>
+  </joint>`).join('')}
+  <link name="caster"><inertial><mass value="0.1"/><inertia ixx="1e-4" iyy="1e-4" izz="1e-4" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><geometry><sphere radius="0.05"/></geometry></collision></link>
+  <joint name="caster_joint" type="fixed"><parent link="base"/><child link="caster"/><origin xyz="-0.12 0 0"/></joint>
+  <gazebo reference="caster"><mu1>0.001</mu1><mu2>0.001</mu2></gazebo>
+  <link name="head"/>
+  <joint name="head_joint" type="fixed"><parent link="base"/><child link="head"/><origin xyz="0.1 0 0.15"/></joint>
+  ${gazebo}
+</robot>
+`;
+
+const scan = '<scan><horizontal><samples>181</samples><min_angle>-1.5708</min_angle><max_angle>1.5708</max_angle></horizontal></scan>'
+  + '<range><min>0.12</min><max>8</max></range>';
+
+const classicTags = `
+  <gazebo reference="head">
+    <sensor name="lidar" type="ray"><update_rate>10</update_rate><ray>${scan}</ray>
+      <plugin name="lidar" filename="libgazebo_ros_ray_sensor.so"><ros><remapping>~/out:=scan</remapping></ros>
+        <output_type>sensor_msgs/LaserScan</output_type><frame_name>head</frame_name></plugin></sensor>
+    <sensor name="imu" type="imu"><update_rate>50</update_rate>
+      <plugin name="imu" filename="libgazebo_ros_imu_sensor.so"><ros><remapping>~/out:=imu</remapping></ros></plugin></sensor>
+  </gazebo>
+  <gazebo>
+    <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+      <left_joint>left_joint</left_joint><right_joint>right_joint</right_joint><wheel_separation>0.3</wheel_separation>
+      <wheel_diameter>0.1</wheel_diameter><max_wheel_torque>10</max_wheel_torque>
+      <publish_odom>true</publish_odom><publish_odom_tf>true</publish_odom_tf></plugin>
+    <plugin name="joints" filename="libgazebo_ros_joint_state_publisher.so">
+      <joint_name>left_joint</joint_name><joint_name>right_joint</joint_name></plugin>
+    <plugin name="smoke" filename="libsmoke_machine.so"/>
+  </gazebo>`;
+
+const simTags = `
+  <gazebo reference="head">
+    <sensor name="lidar" type="gpu_lidar"><topic>scan</topic><gz_frame_id>head</gz_frame_id><update_rate>10</update_rate>
+      <lidar>${scan}</lidar></sensor>
+    <sensor name="imu" type="imu"><topic>imu</topic><update_rate>50</update_rate></sensor>
+  </gazebo>
+  <gazebo>
+    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+      <left_joint>left_joint</left_joint><right_joint>right_joint</right_joint><wheel_separation>0.3</wheel_separation>
+      <wheel_radius>0.05</wheel_radius><topic>cmd_vel</topic><odom_topic>odom</odom_topic><tf_topic>tf</tf_topic>
+      <frame_id>odom</frame_id><child_frame_id>base_footprint</child_frame_id></plugin>
+    <plugin filename="gz-sim-joint-state-publisher-system" name="gz::sim::systems::JointStatePublisher"><topic>joint_states</topic></plugin>
+    <plugin filename="gz-sim-smoke-machine-system" name="gz::sim::systems::SmokeMachine"/>
+  </gazebo>`;
+
+const box = '<geometry><box><size>0.2 6 1</size></box></geometry>';
+const plane = '<geometry><plane><normal>0 0 1</normal><size>20 20</size></plane></geometry>';
+const world = (version: string, systems: string): string => `<sdf version="${version}"><world name="room">${systems}
+  <model name="floor"><static>true</static><link name="l"><collision name="c">${plane}</collision></link></model>
+  <model name="wall"><static>true</static><pose>3.1 0 0.5 0 0 0</pose><link name="l">
+    <collision name="c">${box}</collision><visual name="v">${box}</visual></link></model>
+</world></sdf>
+`;
+const systems = ['Physics', 'UserCommands', 'SceneBroadcaster', 'Sensors', 'Imu']
+  .map((name) => `<plugin filename="gz-sim-${name.toLowerCase()}-system" name="gz::sim::systems::${name}"/>`).join('');
+
+const launch = (simulator: string): string => `
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    share = get_package_share_directory('scout')
+    with open(os.path.join(share, 'scout.urdf')) as file:
+        description = file.read()
+    return LaunchDescription([
+        ${simulator}
+        Node(package='robot_state_publisher', executable='robot_state_publisher',
+             parameters=[{'robot_description': description, 'use_sim_time': True}]),
+        Node(package='scout', executable='pilot', parameters=[{'use_sim_time': True}], output='screen'),
+    ])
+`;
+
+const classicLaunch = launch(`
+        IncludeLaunchDescription(
+            PythonLaunchDescriptionSource(os.path.join(get_package_share_directory('gazebo_ros'), 'launch', 'gazebo.launch.py')),
+            launch_arguments={'world': os.path.join(share, 'room.world')}.items()),
+        Node(package='gazebo_ros', executable='spawn_entity.py', arguments=['-topic', 'robot_description', '-entity', 'scout']),
+        Node(package='gazebo_ros', executable='spawn_entity.py', name='again',
+             arguments=['-topic', 'robot_description', '-entity', 'wall']),`);
+
+const simLaunch = launch(`
+        IncludeLaunchDescription(
+            PythonLaunchDescriptionSource(os.path.join(get_package_share_directory('ros_gz_sim'), 'launch', 'gz_sim.launch.py')),
+            launch_arguments={'gz_args': '-r ' + os.path.join(share, 'room.world')}.items()),
+        Node(package='ros_gz_sim', executable='create', arguments=['-topic', 'robot_description', '-name', 'scout']),
+        Node(package='ros_gz_sim', executable='create', name='again', arguments=['-topic', 'robot_description', '-name', 'wall']),
+        Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=[
+            '/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock', '/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist',
+            '/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry', '/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V',
+            '/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan', '/imu@sensor_msgs/msg/Imu[gz.msgs.IMU',
+            '/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model']),`);
+
+/** Drives 1 m forward in 5 s of the clock, and reports what it sensed before and behind. */
+const pilot = `
+#include <cmath>
+#include <memory>
+#include "geometry_msgs/msg/twist.hpp"
+#include "nav_msgs/msg/odometry.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "sensor_msgs/msg/imu.hpp"
+#include "sensor_msgs/msg/joint_state.hpp"
+#include "sensor_msgs/msg/laser_scan.hpp"
+
+class Pilot : public rclcpp::Node {
+ public:
+  Pilot() : Node("pilot") {
+    commands_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    odometry_ = create_subscription<nav_msgs::msg::Odometry>("odom", 10, [this](const nav_msgs::msg::Odometry& m) {
+      x_ = m.pose.pose.position.x;
+      knows_ = true;
+    });
+    scans_ = create_subscription<sensor_msgs::msg::LaserScan>("scan", rclcpp::SensorDataQoS(), [this](const sensor_msgs::msg::LaserScan& m) {
+      ahead_ = m.ranges[90];
+      rays_ = m.ranges.size();
+      frame_ = m.header.frame_id;
+      beside_ = m.ranges[0];
+    });
+    imus_ = create_subscription<sensor_msgs::msg::Imu>("imu", rclcpp::SensorDataQoS(), [this](const sensor_msgs::msg::Imu& m) { up_ = m.linear_acceleration.z; });
+    joints_ = create_subscription<sensor_msgs::msg::JointState>("joint_states", 10, [this](const sensor_msgs::msg::JointState& m) {
+      for (size_t i = 0; i < m.name.size(); ++i) if (m.name[i] == "left_joint") wheel_ = m.position[i];
+    });
+    timer_ = create_timer(std::chrono::milliseconds(20), [this] { tick(); });
+  }
+
+ private:
+  void tick() {
+    if (!knows_ || rays_ == 0 || up_ == 0 || done_) return;
+    const double now = get_clock()->now().seconds();
+    if (begin_ < 0) {
+      begin_ = now + 1;  // it comes to rest first
+      return;
+    }
+    if (now < begin_) {
+      first_x_ = x_;
+      first_wheel_ = wheel_;
+      return;
+    }
+    if (now < begin_ + 0.04)
+      RCLCPP_INFO(get_logger(), "%zu rays of %s, %.2f m ahead, nothing beside: %d, up %.2f", rays_, frame_.c_str(), ahead_, std::isinf(beside_), up_);
+    geometry_msgs::msg::Twist command;
+    if (now < begin_ + 5) command.linear.x = 0.2;
+    commands_->publish(command);
+    if (now < begin_ + 6) return;
+    done_ = true;
+    RCLCPP_INFO(get_logger(), "drove %.1f m, the wheel rolled %.1f m, %.1f m ahead", x_ - first_x_, 0.05 * (wheel_ - first_wheel_), ahead_);
+  }
+
+  double x_ = 0, first_x_ = 0, ahead_ = 0, beside_ = 0, up_ = 0, wheel_ = 0, first_wheel_ = 0, begin_ = -1;
+  size_t rays_ = 0;
+  std::string frame_;
+  bool knows_ = false, done_ = false;
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr commands_;
+  rclcpp::Subscription<nav_msgs::msg::Odometry>::SharedPtr odometry_;
+  rclcpp::Subscription<sensor_msgs::msg::LaserScan>::SharedPtr scans_;
+  rclcpp::Subscription<sensor_msgs::msg::Imu>::SharedPtr imus_;
+  rclcpp::Subscription<sensor_msgs::msg::JointState>::SharedPtr joints_;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Pilot>());
+  rclcpp::shutdown();
+}
+`;
+
+const messages = ['geometry_msgs', 'nav_msgs', 'sensor_msgs'];
+const cmake = `find_package(rclcpp REQUIRED)
+${messages.map((name) => `find_package(${name} REQUIRED)`).join('\n')}
+ament_target_dependencies(pilot rclcpp ${messages.join(' ')})
+install(FILES scout.urdf room.world sim.launch.py DESTINATION share/\${PROJECT_NAME})
+`;
+
+interface Lab {
+  readonly name: string;
+  readonly depends: readonly string[];
+  readonly urdf: string;
+  readonly world: string;
+  readonly launch: string;
+  /** What the console has, in any order. */
+  readonly said: readonly RegExp[];
+}
+
+const common = [
+  /\[pilot\]: 181 rays of head, 2\.90 m ahead, nothing beside: 1, up 9\.80$/m,
+  /\[pilot\]: drove 1\.0 m, the wheel rolled 1\.0 m, 1\.9 m ahead$/m,
+];
+const labs: readonly Lab[] = [
+  {
+    name: 'classic', depends: ['gazebo_ros'], urdf: robot(classicTags), world: world('1.6', ''), launch: classicLaunch,
+    said: [
+      ...common,
+      /\[spawn_entity\]: Spawn status: SpawnEntity: Successfully spawned entity \[scout\]$/m,
+      /\[again\]: Spawn status: Entity \[wall\] already exists\.$/m,
+      /\[drive\]: Publishing odom transforms between \[odom\] and \[base_footprint\]$/m,
+      /WARN.*\[gazebo\]: plugin \[smoke\] \(libsmoke_machine\.so\) is skipped: the simulator does not have it$/m,
+    ],
+  },
+  {
+    name: 'sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], urdf: robot(simTags), world: world('1.9', systems), launch: simLaunch,
+    said: [
+      ...common,
+      /\[ros_gz_sim\]: Entity creation successful\.$/m,
+      /\[again\]: Entity creation failed\./m,
+      /DiffDrive subscribing to twist messages on \[\/cmd_vel\]$/m,
+      /WARN.*\[_gz_sim\]: plugin \[gz::sim::systems::SmokeMachine\] \(gz-sim-smoke-machine-system\) is skipped: the simulator does not have it$/m,
+    ],
+  },
+];
+
+const workspaces = new Map<string, PackWorkspace>();
+before(async () => {
+  for (const lab of labs) {
+    const workspace = new PackWorkspace('shared');
+    workspaces.set(lab.name, workspace);
+    workspace.addPackage('scout', { pilot }, { cmake, depends: ['rclcpp', ...messages, 'robot_state_publisher', ...lab.depends] });
+    workspace.write('src/scout/scout.urdf', lab.urdf);
+    workspace.write('src/scout/room.world', lab.world);
+    workspace.write('src/scout/sim.launch.py', lab.launch);
+    workspace.write('workspace.yaml', 'schema: 1\nname: scout\npackages: [src/*]\nlaunch: src/scout/sim.launch.py\n');
+    const packed = await workspace.run(['pack']);
+    assert.equal(packed.code, 0, packed.stderr);
+  }
+}, watchdog);
+after(() => {
+  for (const workspace of workspaces.values()) workspace.close();
+});
+
+for (const [index, lab] of labs.entries()) {
+  const workspace = (): PackWorkspace => workspaces.get(lab.name) ?? assert.fail();
+  const links = index === 0 ? played('shared', 'port') : played('port', 'shared');
+  for (const link of links) {
+    test(`${lab.name}, Node.js, ${link}: the robot drives and senses`, watchdog, async () => {
+      const run = await workspace().run(['run', 'site', '--link', link, '--for', '120s', '--until', 'drove']);
+      assert.equal(run.code, 0, run.stdout + run.stderr);
+      for (const line of lab.said) assert.match(run.stdout, line, run.stdout + run.stderr);
+    });
+  }
+
+  test(`${lab.name}, Chromium: the robot drives and senses`, watchdog, async () => {
+    const server = await serveFolder(join(workspace().root, 'site'), { isolated: true });
+    const browser = await chromium.launch(chromiumOptions());
+    try {
+      const page = await browser.newPage();
+      const troubles: string[] = [];
+      page.on('pageerror', (error) => troubles.push(error.message));
+      await page.goto(server.url);
+      await page.getByText(/drove 1\.0 m, the wheel rolled 1\.0 m, 1\.9 m ahead/).first().waitFor({ timeout: 120_000 });
+      assert.deepEqual(troubles, []);
+    } finally {
+      await browser.close();
+      server.close();
+    }
+  });
+}

@@ -24,7 +24,7 @@ const robot = (gazebo: string): string => `<robot name="scout">
   <link name="base_footprint"/>
   <joint name="footprint" type="fixed"><parent link="base_footprint"/><child link="base"/><origin xyz="0 0 0.05"/></joint>
   <link name="base">
-    <inertial><origin xyz="0 0 0.04"/><mass value="2.5"/><inertia ixx="0.015" iyy="0.02" izz="0.03" ixy="0" ixz="0" iyz="0"/></inertial>
+    <inertial><origin xyz="-0.05 0 0.02"/><mass value="2.5"/><inertia ixx="0.015" iyy="0.02" izz="0.03" ixy="0" ixz="0" iyz="0"/></inertial>
     <collision><origin xyz="0 0 0.06"/><geometry><box size="0.3 0.26 0.1"/></geometry></collision>
     <visual><origin xyz="0 0 0.06"/><geometry><box size="0.3 0.26 0.1"/></geometry></visual>
   </link>
@@ -282,8 +282,8 @@ for (const [index, lab] of labs.entries()) {
   }
 
   test(`${lab.name}, Chromium: the robot drives and senses`, watchdog, async () => {
-    const server = await serveFolder(join(workspace().root, 'site'), { isolated: true });
     const browser = await chromium.launch(chromiumOptions());
+    const server = await serveFolder(join(workspace().root, 'site'), { isolated: true });
     try {
       const page = await browser.newPage();
       const troubles: string[] = [];

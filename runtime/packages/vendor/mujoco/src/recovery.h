@@ -16,6 +16,14 @@ ROS2WASM_NORETURN void ros2wasm_mujoco_hull_error(int number);
 }
 #endif
 
+/* The compiler of models computes a few ranges in threads, which would bind the simulator to pages that share memory:
+   each is computed when it is started. */
+#ifdef __cplusplus
+#include <pthread.h>
+#define pthread_create(thread, attributes, run, argument) ((void)(run)(argument), 0)
+#define pthread_join(thread, result) 0
+#endif
+
 #undef setjmp
 #undef longjmp
 #define setjmp(buffer) 0

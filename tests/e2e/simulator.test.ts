@@ -221,7 +221,7 @@ interface Lab {
   readonly urdf: string;
   readonly world: string;
   readonly launch: string;
-  /** What the console has, in any order. */
+  /** Lines of the console, in any order. */
   readonly said: readonly RegExp[];
 }
 

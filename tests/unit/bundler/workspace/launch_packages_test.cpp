@@ -40,7 +40,8 @@ TEST(LaunchPackages, NeedsTheSimulatorForGazebo) {
   const std::vector<std::string> simulator{"ros2wasm_sim"};
   for (const char* text :
        {"ExecuteProcess(cmd=['gz', 'sim', '-r'])", "cmd = [\n  'ign gazebo', world], shell=True",
-        "cmd=['ruby $(which gz) sim ', args]", "cmd=[[FindExecutable(name='gazebo'), ' --verbose']]",
+        "cmd=['ruby $(which gz) sim ', args]",
+        "cmd=[[FindExecutable(name='gazebo'), ' --verbose']]",
         "<executable cmd=\"gzserver a.world\"/>", "- executable: {cmd: /usr/bin/gz sim}"})
     EXPECT_EQ(names(text), simulator) << text;
   for (const char* text : {"cmd=['gz', 'topic']", "cmd=['ros2', 'topic', 'gz']", "cmd=gazebo_cmd",

@@ -18,7 +18,7 @@ struct Now {
   double step = 0.001;       ///< seconds
 };
 
-/// What acts in each step: a plugin, a sensor.
+/// A plugin or a sensor: something that acts in each step.
 class System {
  public:
   virtual ~System() = default;

@@ -483,7 +483,7 @@ class MujocoPhysics final : public Physics {
         "masses, moments of inertia and overlapping collisions");
   }
 
-  /// Of the step that was made: their forces are known by then.
+  /// The contacts of the step that was made: their forces are known by then.
   void record_contacts() {
     contacts_.clear();
     for (int i = 0; i < data_->ncon; ++i) {

@@ -78,7 +78,8 @@ class Physics {
 
   virtual Pose pose(LinkHandle link) const = 0;  ///< in the world
   virtual Motion velocity(LinkHandle link) const = 0;
-  /// What an accelerometer at the link's origin feels: at rest, the opposite of gravity.
+  /// The acceleration that an accelerometer at the link's origin feels: at rest, the opposite of
+  /// gravity.
   virtual Motion proper_acceleration(LinkHandle link) = 0;
 
   virtual double position(JointHandle joint) const = 0;  ///< rad or m

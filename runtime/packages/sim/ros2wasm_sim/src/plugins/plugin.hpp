@@ -1,4 +1,4 @@
-// What plugins of Gazebo are made of. One plugin is one file and one row in table.cpp.
+// The parts that plugins of Gazebo are made of. One plugin is one file and one row in table.cpp.
 #pragma once
 
 #include <memory>

@@ -38,7 +38,7 @@ struct SensorRow {
   std::string_view system;  ///< of the world that brings it to life
 };
 
-/// Of Gazebo Sim. In Gazebo Classic the plugin of a sensor publishes what it measures.
+/// The sensors of Gazebo Sim. In Gazebo Classic the plugin of a sensor publishes what it measures.
 constexpr std::array kSensors{
     SensorRow{"gpu_lidar", make_gz_lidar, "Sensors"},
     SensorRow{"gpu_ray", make_gz_lidar, "Sensors"},
@@ -47,7 +47,8 @@ constexpr std::array kSensors{
     SensorRow{"ray", make_gz_lidar, "Sensors"},
 };
 
-/// What the simulator does itself, or what is for a window that a site does not have.
+/// Plugins whose work the simulator does itself, or that are for a window that a site does not
+/// have.
 constexpr std::array<std::string_view, 14> kBuiltIn{"Physics",
                                                     "UserCommands",
                                                     "SceneBroadcaster",

@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono_literals::operator""ms;
 
-/// What is made up after a delay, in nanoseconds: more would only make the delay longer.
+/// The most that is made up after a delay, in nanoseconds: more would only make the delay longer.
 constexpr std::int64_t kMostOwed = 100'000'000;
 
 void report(const rclcpp::Logger& logger, const std::vector<Note>& notes, std::string& error) {

@@ -1,4 +1,5 @@
-// What an IMU feels: angular velocity, proper acceleration (+9.8 upwards at rest), orientation.
+// The measurements of an IMU: angular velocity, proper acceleration (+9.8 upwards at rest),
+// orientation.
 #pragma once
 
 #include <sensor_msgs/msg/imu.hpp>

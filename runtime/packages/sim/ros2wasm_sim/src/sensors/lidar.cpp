@@ -77,7 +77,7 @@ const std::vector<double>& Lidar::measure() {
             : std::clamp(noise_.apply(range, random_), settings_.range_min, settings_.range_max);
   }
   if (settings_.range_min <= 0) return ranges_;
-  // What is nearer, but not part of the link that carries the sensor.
+  // Nearer things count too, unless they are part of the link that carries the sensor.
   cast(pose, 0);
   physics_.cast(rays_, sees_, link_, distances_);
   for (std::size_t i = 0; i < distances_.size(); ++i)

@@ -1,4 +1,4 @@
-// What a lidar measured, as the messages of sensor_msgs.
+// The ranges of a lidar as the messages of sensor_msgs.
 #pragma once
 
 #include <sensor_msgs/msg/laser_scan.hpp>

@@ -71,7 +71,7 @@ struct NoGeometry {};
 using Geometry =
     std::variant<NoGeometry, Box, Cylinder, Sphere, Capsule, Ellipsoid, Plane, Mesh, Heightmap>;
 
-/// What touches: the smaller friction of a pair counts, as in Gazebo.
+/// How a shape touches others: the smaller friction of a pair counts, as in Gazebo.
 struct Surface {
   double mu = 1;
   double mu2 = 1;

@@ -5,7 +5,7 @@
 // (`gz_sim.launch.py`, `create`, `parameter_bridge`): worlds of SDF, robots of URDF and SDF, wheels, lidar, IMU, joint states, `/clock`
 
 // Compatibility, differs: the physics of the simulator -> MuJoCo, with Gazebo's rules for friction, motors and lumping; cameras,
-// heightmaps and meshes other than STL are skipped, with a warning
+// heightmaps and meshes other than STL, OBJ and COLLADA are skipped, with a warning
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';

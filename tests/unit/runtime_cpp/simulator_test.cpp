@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "mesh/stl.hpp"
 #include "physics/physics.hpp"
 #include "sensors/lidar.hpp"
 
@@ -245,7 +244,8 @@ TEST(Simulator, AWorldThatCannotBeIsRefusedAndTheOldOneGoesOn) {
   run(*physics, 100);
   const std::uint64_t before = physics->state_hash();
   World wrong = world;
-  wrong.models.push_back(solid("flat", Box{{0, 1, 1}}, {}));
+  wrong.models.push_back(solid("heavy", Sphere{1}, {}));
+  wrong.models.back().links.front().inertial.mass = std::nan("");
   EXPECT_THROW(physics->set_world(wrong), PhysicsError);
   EXPECT_EQ(physics->state_hash(), before);
   physics->step();
@@ -264,21 +264,32 @@ TEST(Simulator, TwoRunsAreTheSame) {
   EXPECT_EQ(hashes[0], hashes[1]);
 }
 
-TEST(Stl, TextsAndBytesAreRead) {
-  const std::string text =
-      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
-      "0\nendloop\nendfacet\nendsolid\n";
-  const auto read = read_stl(text, 10);
-  ASSERT_TRUE(read);
-  EXPECT_EQ(read->vertices.size(), 9U);
-  EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2}));
-  EXPECT_FALSE(read_stl(text, 0));
-  std::string bytes(84 + 50, '\0');
-  bytes[80] = 1;
-  EXPECT_TRUE(read_stl(bytes, 10));
-  bytes[80] = 2;
-  EXPECT_FALSE(read_stl(bytes, 10));  // shorter than it says
-  EXPECT_FALSE(read_stl("", 10));
+Mesh mesh_of(const std::string& path) {
+  Mesh mesh;
+  mesh.uri = mesh.path = path;
+  return mesh;
+}
+
+/// A tetrahedron of a side of 1 m, or a triangle that is flat.
+std::shared_ptr<const TriangleMesh> tetrahedron(const Mesh& mesh) {
+  TriangleMesh read{{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}};
+  if (mesh.path == "flat") read.vertices[11] = 0;
+  return std::make_shared<const TriangleMesh>(read);
+}
+
+TEST(Simulator, AMeshIsSolidAndOneThatIsFlatIsSkipped) {
+  World world;
+  world.models = {ground(), solid("good", mesh_of("good"), {0, 0, 2}),
+                  solid("flat", mesh_of("flat"), {5, 0, 2})};
+  const auto physics = make_physics(tetrahedron);
+  physics->set_world(world);
+  const auto warnings = physics->take_warnings();
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings.front().find("mesh `flat` is skipped"), std::string::npos) << warnings.front();
+  EXPECT_TRUE(physics->take_warnings().empty());
+  run(*physics, 2000);
+  EXPECT_NEAR(physics->pose(physics->link("good", "link")).position.z, 0, 0.01);
+  EXPECT_LT(physics->pose(physics->link("flat", "link")).position.z, -5);  // nothing holds it
 }
 
 }  // namespace

@@ -3,8 +3,13 @@
 
 #include <rclcpp/logging.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
+#include <optional>
 
+#include "mesh/dae.hpp"
+#include "mesh/obj.hpp"
 #include "mesh/stl.hpp"
 #include "ros/resources.hpp"
 
@@ -13,9 +18,17 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 200'000;
 
-bool ends_with_stl(const std::string& path) {
-  const std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  return end == ".stl" || end == ".STL";
+using ReadFile = std::optional<TriangleMesh> (*)(const std::string& bytes, std::size_t most);
+
+/// By the ending of the file's name. Null: no reader has it.
+ReadFile reader_of(const std::string& path) {
+  std::string ending = path.substr(path.rfind('.') + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char sign) { return static_cast<char>(std::tolower(sign)); });
+  return ending == "stl"   ? read_stl
+         : ending == "obj" ? read_obj
+         : ending == "dae" ? read_dae
+                           : nullptr;
 }
 
 }  // namespace
@@ -26,15 +39,16 @@ MeshReader site_meshes(const rclcpp::Logger& logger) {
     if (mesh.path.empty()) return nullptr;
     const auto [found, is_new] = known->try_emplace(mesh.path);
     if (!is_new) return found->second;
-    if (!ends_with_stl(mesh.path)) {
-      RCLCPP_WARN(logger, "mesh [%s] is skipped: STL files are read, others not yet",
+    const ReadFile reader = reader_of(mesh.path);
+    if (reader == nullptr) {
+      RCLCPP_WARN(logger, "mesh [%s] is skipped: STL, OBJ and COLLADA files are read",
                   mesh.uri.c_str());
       return nullptr;
     }
     const auto bytes = site_resources().read(mesh.path);
-    auto read = bytes ? read_stl(*bytes, kMostTriangles) : std::nullopt;
+    auto read = bytes ? reader(*bytes, kMostTriangles) : std::nullopt;
     if (!read) {
-      RCLCPP_ERROR(logger, "mesh [%s] is not an STL file of at most %zu triangles",
+      RCLCPP_ERROR(logger, "mesh [%s] is not a file of its kind with at most %zu triangles",
                    mesh.uri.c_str(), kMostTriangles);
       return nullptr;
     }

@@ -20,7 +20,8 @@ struct MjcfNames {
   std::map<std::string, std::vector<int>> roots;
   std::vector<std::string> collisions;  ///< `model::link::collision` of geom `c12`
   std::vector<std::pair<std::string, std::string>> link_names;  ///< of the bodies, by number
-  std::vector<int> weightless;  ///< bodies that gravity does not pull
+  std::vector<int> weightless;                ///< bodies that gravity does not pull
+  std::map<std::string, std::string> meshes;  ///< name in the model to path
 };
 
 struct Mjcf {

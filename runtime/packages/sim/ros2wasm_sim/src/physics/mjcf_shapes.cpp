@@ -42,6 +42,18 @@ bool is_wheel(const Collision& shape, const Joint* joint) {
   return length(cross(axis, own)) < 1e-3 && length(offset) < 1e-3 * cylinder->radius + 1e-9;
 }
 
+/// The engine refuses a shape that is flat in some direction.
+bool has_size(const Geometry& geometry) {
+  if (const auto* box = std::get_if<Box>(&geometry))
+    return box->size.x > 0 && box->size.y > 0 && box->size.z > 0;
+  if (const auto* one = std::get_if<Cylinder>(&geometry)) return one->radius > 0 && one->length > 0;
+  if (const auto* one = std::get_if<Capsule>(&geometry)) return one->radius > 0 && one->length > 0;
+  if (const auto* one = std::get_if<Sphere>(&geometry)) return one->radius > 0;
+  if (const auto* one = std::get_if<Ellipsoid>(&geometry))
+    return one->radii.x > 0 && one->radii.y > 0 && one->radii.z > 0;
+  return true;
+}
+
 std::string bits(std::uint32_t type, std::uint32_t affinity) {
   return " contype=\"" + std::to_string(static_cast<std::int32_t>(type)) + "\" conaffinity=\"" +
          std::to_string(static_cast<std::int32_t>(affinity)) + "\"";
@@ -139,6 +151,10 @@ std::string ShapeWriter::visual(const Visual& shape, Mjcf& mjcf) {
 
 std::string ShapeWriter::form(const Geometry& geometry, const Pose& pose, bool moves,
                               const std::string& what, Mjcf& mjcf) {
+  if (!has_size(geometry)) {
+    mjcf.warnings.push_back(what + " is skipped: it has no size");
+    return {};
+  }
   const auto with = [&](const std::string& type, const std::string& size) {
     return " type=\"" + type + "\" size=\"" + size + "\"" + placed(pose);
   };
@@ -177,7 +193,8 @@ std::string ShapeWriter::mesh(const Mesh& mesh, const std::string& what, Mjcf& m
     mjcf.warnings.push_back(what + " is skipped: its mesh `" + mesh.uri + "` cannot be read");
     return name;
   }
-  name = "m" + std::to_string(mesh_names_.size());
+  name = "mesh" + std::to_string(mesh_names_.size());
+  mjcf.names.meshes[name] = mesh.path;
   assets_ += "<mesh name=\"" + name + "\" scale=\"" + text(mesh.scale) + "\" vertex=\"";
   for (const float value : read->vertices) assets_ += number(value) + " ";
   assets_ += "\" face=\"";

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
+#include <set>
+#include <utility>
 
 #include "physics/mjcf.hpp"
 #include "physics/physics.hpp"
@@ -88,6 +91,8 @@ class MujocoPhysics final : public Physics {
     build(world, limits);
     world_ = world;
   }
+
+  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
 
   double step_size() const override { return model_ ? model_->opt.timestep : 0.001; }
 
@@ -286,11 +291,12 @@ class MujocoPhysics final : public Physics {
   };
 
   void build(const World& world, const MjcfLimits& limits) {
-    Mjcf written = write_mjcf(world, meshes_, limits);
-    ModelPointer model = compile(written.xml);
+    auto [written, model] = compile_world(world, limits);
     DataPointer data(mj_makeData(model.get()));
     if (!data) throw PhysicsError("there is not enough memory for the world");
     const State state = model_ ? state_of() : State{};
+    for (std::string& warning : written.warnings)
+      if (said_.insert(warning).second) warnings_.push_back(std::move(warning));
     model_ = std::move(model);
     data_ = std::move(data);
     names_ = std::move(written.names);
@@ -299,6 +305,38 @@ class MujocoPhysics final : public Physics {
     restore(state);
     apply_motors();
     mj_forward(model_.get(), data_.get());
+  }
+
+  /// Without the meshes that the engine refuses, such as flat ones.
+  std::pair<Mjcf, ModelPointer> compile_world(const World& world, const MjcfLimits& limits) {
+    const MeshReader meshes = [this](const Mesh& mesh) {
+      return refused_meshes_.count(mesh.path) != 0 || !meshes_ ? nullptr : meshes_(mesh);
+    };
+    while (true) {
+      Mjcf written = write_mjcf(world, meshes, limits);
+      try {
+        ModelPointer model = compile(written.xml);
+        return {std::move(written), std::move(model)};
+      } catch (const PhysicsError& error) {
+        if (!refuse_mesh(error.what(), written.names)) throw;
+      }
+    }
+  }
+
+  /// The engine names the mesh that it refuses at the end of its message.
+  bool refuse_mesh(const std::string& message, const MjcfNames& names) {
+    for (const auto& [name, path] : names.meshes) {
+      const std::size_t at = message.find(name);
+      const std::size_t end = at + name.size();
+      if (at == std::string::npos ||
+          (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end]))))
+        continue;
+      if (!refused_meshes_.insert(path).second) return false;
+      std::string reason = message.substr(0, message.find('\n'));
+      warnings_.push_back("mesh `" + path + "` is skipped: " + reason);
+      return true;
+    }
+    return false;
   }
 
   static ModelPointer compile(const std::string& xml) {
@@ -545,6 +583,9 @@ class MujocoPhysics final : public Physics {
   }
 
   MeshReader meshes_;
+  std::set<std::string> refused_meshes_;  ///< by path
+  std::set<std::string> said_;
+  std::vector<std::string> warnings_;
   World world_;
   MjcfLimits limits_;
   ModelPointer model_;

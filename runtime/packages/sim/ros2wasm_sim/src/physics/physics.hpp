@@ -66,6 +66,9 @@ class Physics {
   /// rest begins at its pose. Throws PhysicsError, and then goes on with the world that it had.
   virtual void set_world(const World& world) = 0;
 
+  /// Shapes and joints that the engine does not have, each said once.
+  virtual std::vector<std::string> take_warnings() = 0;
+
   virtual double step_size() const = 0;  ///< seconds
   /// Throws PhysicsError when the state is not finite; it names the model.
   virtual void step() = 0;

@@ -21,6 +21,7 @@ ClassicServer::ClassicServer(Host& host, Simulation& simulation, const ClassicOp
     : host_(host),
       simulation_(simulation),
       runner_(host.node(), simulation, [this] { publish_clock(); }) {
+  report_warnings(host_.node()->get_logger(), simulation_.physics());
   runner_.pause(options.paused);
   if (options.init) offer_clock();
   if (options.factory) offer_factory();
@@ -168,6 +169,7 @@ void ClassicServer::spawn(const gazebo_msgs::srv::SpawnEntity::Request& request,
   } catch (const PhysicsError& problem) {
     return fail("Entity [" + name + "] cannot be simulated: " + problem.what());
   }
+  report_warnings(host_.node()->get_logger(), simulation_.physics());
   response.success = true;
   response.status_message = "SpawnEntity: Successfully spawned entity [" + name + "]";
 }

@@ -81,6 +81,11 @@ void Runner::step_once() {
   after_step_();
 }
 
+void report_warnings(const rclcpp::Logger& logger, Physics& physics) {
+  for (const std::string& warning : physics.take_warnings())
+    RCLCPP_WARN(logger, "%s", warning.c_str());
+}
+
 std::optional<World> load_world(const rclcpp::Logger& logger, const std::string& name) {
   const auto path = find_world(name);
   const auto text = path ? site_resources().read(*path) : std::nullopt;

@@ -38,6 +38,9 @@ class Runner {
   rclcpp::TimerBase::SharedPtr timer_;
 };
 
+/// Says what the physics leaves away.
+void report_warnings(const rclcpp::Logger& logger, Physics& physics);
+
 /// Reads a world and says what is wrong with it. Nothing when it cannot be used.
 std::optional<World> load_world(const rclcpp::Logger& logger, const std::string& name);
 std::optional<World> load_world_text(const rclcpp::Logger& logger, const std::string& text,

@@ -13,6 +13,7 @@ SimServer::SimServer(Host& host, Simulation& simulation, const SimOptions& optio
     : host_(host),
       simulation_(simulation),
       runner_(host.node(), simulation, [this] { publish_clock(); }) {
+  report_warnings(host_.node()->get_logger(), simulation_.physics());
   simulation_.begin_at(static_cast<std::int64_t>(options.initial_time * 1e9));
   runner_.pause(!options.runs);
   runner_.end_after(options.steps);
@@ -94,6 +95,7 @@ bool SimServer::create(const ros_gz_interfaces::msg::EntityFactory& factory) {
     RCLCPP_ERROR(logger, "the model [%s] cannot be simulated: %s", name.c_str(), problem.what());
     return false;
   }
+  report_warnings(logger, simulation_.physics());
   return true;
 }
 

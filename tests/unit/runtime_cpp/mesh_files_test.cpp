@@ -1,0 +1,94 @@
+// Meshes of files: STL, OBJ and COLLADA, and texts that mean harm.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "mesh/dae.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/stl.hpp"
+
+namespace ros2wasm_sim {
+namespace {
+
+TEST(MeshFiles, StlInTextAndBytes) {
+  const std::string text =
+      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  const auto read = read_stl(text, 10);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->vertices.size(), 9U);
+  EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2}));
+  EXPECT_FALSE(read_stl(text, 0));
+  std::string bytes(84 + 50, '\0');
+  bytes[80] = 1;
+  EXPECT_TRUE(read_stl(bytes, 10));
+  bytes[80] = 2;
+  EXPECT_FALSE(read_stl(bytes, 10));  // shorter than it says
+  EXPECT_FALSE(read_stl("", 10));
+}
+
+TEST(MeshFiles, ObjWithPolygonsAndNumbersFromTheEnd) {
+  const auto read = read_obj(
+      "# a square\nv 0 0 0\r\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 -2 4/1/1\n", 10);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->vertices.size(), 12U);
+  EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2, 0, 2, 3}));
+  for (const char* wrong :
+       {"", "v 0 0\nf 1 1 1\n", "v 0 0 0\nf 1 2 3\n", "v 0 0 0\nf 0 1 1\n", "v nan 0 0\nf 1 1 1\n"})
+    EXPECT_FALSE(read_obj(wrong, 10)) << wrong;
+  EXPECT_FALSE(read_obj("v 0 0 0\nf 1 1 1\nf 1 1 1\n", 1));
+}
+
+std::string collada(const std::string& nodes, const std::string& faces) {
+  return "<COLLADA><asset><unit "
+         "meter=\"0.01\"/><up_axis>Y_UP</up_axis></asset><library_geometries><geometry "
+         "id=\"g\"><mesh>"
+         "<source id=\"p\"><float_array>0 0 0 100 0 0 100 100 0 0 100 0</float_array></source>"
+         "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>" +
+         faces + "</mesh></geometry></library_geometries><library_visual_scenes><visual_scene>" +
+         nodes + "</visual_scene></library_visual_scenes></COLLADA>";
+}
+const std::string kTriangles =
+    "<triangles><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><input semantic=\"NORMAL\" "
+    "source=\"#n\" "
+    "offset=\"1\"/><p>0 0 1 0 2 0</p></triangles>";
+const std::string kPolygons =
+    "<polylist><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><vcount>4</vcount><p>0 1 2 "
+    "3</p></polylist>";
+
+TEST(MeshFiles, ColladaWhereItsSceneHasIt) {
+  const auto read = read_dae(collada("<node><translate>0 0 50</translate><rotate>0 0 1 "
+                                     "90</rotate><instance_geometry url=\"#g\"/></node>",
+                                     kTriangles + kPolygons),
+                             10);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2, 4, 5, 6, 4, 6, 7}));
+  const std::vector<float> expected{0, 0, 0.5F, 0, 1, 0.5F, -1, 1, 0.5F};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(read->vertices[i], expected[i], 1e-6) << i;
+}
+
+TEST(MeshFiles, ColladaThatMeansHarmEnds) {
+  const std::string once = "<node><instance_geometry url=\"#g\"/></node>";
+  EXPECT_FALSE(read_dae(collada(once, kTriangles), 0));
+  EXPECT_FALSE(read_dae("<COLLADA/>", 10));
+  EXPECT_FALSE(read_dae("no", 10));
+  const std::string outside =
+      "<triangles><input semantic=\"VERTEX\" source=\"#v\"/><p>0 1 9</p></triangles>";
+  EXPECT_FALSE(read_dae(collada(once, outside), 10));
+  const std::string short_list =
+      "<polylist><input semantic=\"VERTEX\" source=\"#v\"/><vcount>9</vcount><p>0 1</p></polylist>";
+  EXPECT_FALSE(read_dae(collada(once, short_list), 10));
+  // A node within itself.
+  const std::string circle =
+      "<COLLADA><library_nodes><node id=\"n\"><instance_node url=\"#n\"/><instance_node "
+      "url=\"#n\"/>"
+      "</node></library_nodes><library_visual_scenes><visual_scene><node><instance_node "
+      "url=\"#n\"/>"
+      "</node></visual_scene></library_visual_scenes></COLLADA>";
+  EXPECT_FALSE(read_dae(circle, 10));
+}
+
+}  // namespace
+}  // namespace ros2wasm_sim

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bundler/launch/rviz_config.hpp"
+#include "bundler/workspace/launch_packages.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 
 namespace ros2wasm {
@@ -135,15 +136,23 @@ std::optional<std::string> stand_in(const std::string& package, const IsKnownPac
 std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
                                           const IsKnownPackage& is_known) {
   std::vector<StandInPanel> panels;
-  for (const LaunchProcess& process : description.processes) {
-    const StandIn* found = find_stand_in(process.node.package.value, is_known);
-    if (found == nullptr || found->panel.empty()) continue;
-    StandInPanel panel{.panel = std::string(found->panel),
-                       .file = place_in_site(configuration_of(process.node))};
+  const auto add = [&](StandInPanel panel) {
     if (std::none_of(panels.begin(), panels.end(),
                      [&](const StandInPanel& one) { return one.panel == panel.panel; }))
       panels.push_back(std::move(panel));
+  };
+  for (const LaunchProcess& process : description.processes) {
+    const StandIn* found = find_stand_in(process.node.package.value, is_known);
+    if (found == nullptr || found->panel.empty()) continue;
+    add({.panel = std::string(found->panel),
+         .file = place_in_site(configuration_of(process.node))});
   }
+  // Gazebo's own window shows the robots; a configuration of rviz2 says more.
+  if (std::any_of(description.processes.begin(), description.processes.end(),
+                  [](const LaunchProcess& process) {
+                    return process.node.package.value == kSimulatorPackage;
+                  }))
+    add({.panel = "scene"});
   return panels;
 }
 

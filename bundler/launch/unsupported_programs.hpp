@@ -34,7 +34,7 @@ struct StandInPanel {
 };
 
 /// The 3D view for rviz2, with the file of `-d` when packages install it; Joints for
-/// joint_state_publisher_gui. Each panel once.
+/// joint_state_publisher_gui; the 3D view for the simulator, too. Each panel once.
 [[nodiscard]] std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
                                                         const IsKnownPackage& is_known);
 

@@ -290,6 +290,8 @@ for (const [index, lab] of labs.entries()) {
       page.on('pageerror', (error) => troubles.push(error.message));
       await page.goto(server.url);
       await page.getByText(/drove 1\.0 m, the wheel rolled 1\.0 m, 1\.9 m ahead/).first().waitFor({ timeout: 120_000 });
+      // In the place of Gazebo's window.
+      await page.locator('.panel-scene').waitFor();
       assert.deepEqual(troubles, []);
     } finally {
       await browser.close();

@@ -221,6 +221,7 @@ interface Lab {
   readonly urdf: string;
   readonly world: string;
   readonly launch: string;
+  readonly argument: string;
   /** Lines of the console, in any order. */
   readonly said: readonly RegExp[];
 }
@@ -232,6 +233,7 @@ const common = [
 const labs: readonly Lab[] = [
   {
     name: 'classic', depends: ['gazebo_ros'], urdf: robot(classicTags), world: world('1.6', ''), launch: classicLaunch,
+    argument: 'verbose:=true',
     said: [
       ...common,
       /\[spawn_entity\]: Spawn status: SpawnEntity: Successfully spawned entity \[scout\]$/m,
@@ -242,6 +244,7 @@ const labs: readonly Lab[] = [
   },
   {
     name: 'sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], urdf: robot(simTags), world: world('1.9', systems), launch: simLaunch,
+    argument: 'debugger:=true',
     said: [
       ...common,
       /\[ros_gz_sim\]: Entity creation successful\.$/m,
@@ -275,7 +278,8 @@ for (const [index, lab] of labs.entries()) {
   const links = index === 0 ? played('shared', 'port') : played('port', 'shared');
   for (const link of links) {
     test(`${lab.name}, Node.js, ${link}: the robot drives and senses`, watchdog, async () => {
-      const run = await workspace().run(['run', 'site', '--link', link, '--for', '120s', '--until', 'drove']);
+      // An argument of the included file, so that the launch file is evaluated where the site starts.
+      const run = await workspace().run(['run', 'site', lab.argument, '--link', link, '--for', '120s', '--until', 'drove']);
       assert.equal(run.code, 0, run.stdout + run.stderr);
       for (const line of lab.said) assert.match(run.stdout, line, run.stdout + run.stderr);
     });

@@ -83,8 +83,8 @@ CASES: dict[str, list[Action]] = {
         node('n28', respawn=True, respawn_delay=4.0, output='log'), node('n29', on_exit='shutdown', output='both')],
     'a shutdown': [action('timer', period=9.0, children=[action('shutdown', reason='done')])],
     'a command is skipped, and one that starts a node is not': [
-        action('executable', cmd='gz sim -r'), action('executable', part('env', name='G', value='1'),
-                                                      cmd='ros2 run demo talker --loud')],
+        action('executable', cmd='webots -r'),
+        action('executable', part('env', name='G', value='1'), cmd='ros2 run demo talker --loud')],
     'components of a container, and some more of them': [
         action('node_container', Action('composable_node', {'pkg': 'demo', 'plugin': 'demo::B', 'name': 'one',
                                                             'namespace': 'in'},

@@ -1,4 +1,4 @@
-// The physics by MuJoCo. Only this file knows its types.
+// The physics by MuJoCo. Only the files named after it know its types.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -10,25 +10,11 @@
 #include <utility>
 
 #include "physics/mjcf.hpp"
+#include "physics/mujoco_model.hpp"
 #include "physics/physics.hpp"
 
 namespace ros2wasm_sim {
 namespace {
-
-struct FreeModel {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-struct FreeData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-struct FreeFiles {
-  void operator()(mjVFS* files) const {
-    mj_deleteVFS(files);
-    delete files;
-  }
-};
-using ModelPointer = std::unique_ptr<mjModel, FreeModel>;
-using DataPointer = std::unique_ptr<mjData, FreeData>;
 
 /// MuJoCo's own errors, which natively end the process.
 void throw_engine_error(const char* message) {
@@ -315,7 +301,7 @@ class MujocoPhysics final : public Physics {
     while (true) {
       Mjcf written = write_mjcf(world, meshes, limits);
       try {
-        ModelPointer model = compile(written.xml);
+        ModelPointer model = compile_model(written.xml);
         return {std::move(written), std::move(model)};
       } catch (const PhysicsError& error) {
         if (!refuse_mesh(error.what(), written.names)) throw;
@@ -337,19 +323,6 @@ class MujocoPhysics final : public Physics {
       return true;
     }
     return false;
-  }
-
-  static ModelPointer compile(const std::string& xml) {
-    std::unique_ptr<mjVFS, FreeFiles> files(new mjVFS);
-    mj_defaultVFS(files.get());
-    if (mj_makeEmptyFileVFS(files.get(), "world.xml", static_cast<int>(xml.size())) != 0)
-      throw PhysicsError("there is not enough memory for the world");
-    std::memcpy(files->filedata[mj_findFileVFS(files.get(), "world.xml")], xml.data(), xml.size());
-    char error[1000] = "";
-    ModelPointer model(mj_loadXML("world.xml", files.get(), error, sizeof error));
-    if (!model) throw PhysicsError(error);
-    mj_freeLastXML();
-    return model;
   }
 
   /// Tables from our numbers to MuJoCo's.

@@ -42,6 +42,7 @@ constexpr Template kTemplates[] = {
     {"python", "the same in Python"},
     {"mixed", "a message of one's own, a sensor in C++ and a monitor in Python"},
     {"course", "a lab with the turtle simulator"},
+    {"sim", "a robot with a lidar in Gazebo Sim"},
     {"paper", "an experiment with its numbers, its seed and how to cite it"},
 };
 

@@ -303,3 +303,24 @@ for (const [index, lab] of labs.entries()) {
     }
   });
 }
+
+test('the template of a simulation: its checks pass, and two stepped runs of a seed send the same', watchdog, async () => {
+  const workspace = new PackWorkspace('shared');
+  try {
+    const begun = await workspace.run(['init', 'sim', 'lab']);
+    assert.equal(begun.code, 0, begun.stderr);
+    const packed = await workspace.run(['pack', 'lab/workspace.yaml', '-o', 'lab_site']);
+    assert.equal(packed.code, 0, packed.stderr);
+    const checked = await workspace.run(['run', 'lab_site', '--stepped', '--checks']);
+    assert.equal(checked.code, 0, checked.stdout + checked.stderr);
+    assert.match(checked.stdout + checked.stderr, /3 of 3 checks passed/);
+    const traces = [];
+    for (const name of ['first.trace', 'second.trace']) {
+      const run = await workspace.run(['run', 'lab_site', '--stepped', '--seed', '7', '--for', '5s', '--trace', name]);
+      traces.push(/^trace: \d+ messages, sha256 \w+$/m.exec(run.stderr)?.[0] ?? assert.fail(run.stdout + run.stderr));
+    }
+    assert.equal(traces[0], traces[1]);
+  } finally {
+    workspace.close();
+  }
+});

@@ -15,7 +15,8 @@ def generate_launch_description():
         robot = file.read()
     simulator = os.path.join(get_package_share_directory('ros_gz_sim'), 'launch', 'gz_sim.launch.py')
     return LaunchDescription([
-        IncludeLaunchDescription(PythonLaunchDescriptionSource(simulator), launch_arguments={'gz_args': f'-r {world}'}.items()),
+        IncludeLaunchDescription(PythonLaunchDescriptionSource(simulator),
+                                 launch_arguments={'gz_args': f'-r {world}'}.items()),
         Node(package='robot_state_publisher', executable='robot_state_publisher',
              parameters=[{'robot_description': robot, 'use_sim_time': True}]),
         Node(package='ros_gz_sim', executable='create', arguments=['-topic', 'robot_description', '-name', 'rover']),

@@ -251,6 +251,24 @@ TEST(Simulator, AWorldThatCannotBeIsRefusedAndTheOldOneGoesOn) {
   physics->step();
 }
 
+TEST(Simulator, ALargeWorldIsLoadedAndOneThatIsTooLargeIsRefusedAtOnce) {
+  std::vector<Model> models;
+  for (int i = 0; i < 5000; ++i)
+    models.push_back(fixed(
+        solid("box" + std::to_string(i), Box{{0.2, 0.2, 0.2}}, {i % 100 * 0.5, i / 100 * 0.5, 0})));
+  const auto physics = physics_of(models);
+  physics->step();
+  World world;
+  world.models = std::move(models);
+  world.models.push_back(ground());
+  try {
+    physics->set_world(world);
+    FAIL();
+  } catch (const PhysicsError& error) {
+    EXPECT_STREQ(error.what(), "the world has 5001 links; at most 5000 are simulated");
+  }
+}
+
 TEST(Simulator, TwoRunsAreTheSame) {
   std::uint64_t hashes[2];
   for (std::uint64_t& hash : hashes) {

@@ -230,6 +230,21 @@ class ModelWriter {
 
 }  // namespace
 
+void check_size(const World& world) {
+  constexpr std::size_t kMostLinks = 5000, kMostMoving = 2000;
+  std::size_t links = 0, moving = 0;
+  for (const Model& model : world.models) {
+    links += model.links.size();
+    moving += model.is_static ? 0 : model.links.size();
+  }
+  if (links > kMostLinks)
+    throw PhysicsError("the world has " + std::to_string(links) + " links; at most " +
+                       std::to_string(kMostLinks) + " are simulated");
+  if (moving > kMostMoving)
+    throw PhysicsError("the world has " + std::to_string(moving) + " links that move; at most " +
+                       std::to_string(kMostMoving) + " are simulated");
+}
+
 Mjcf write_mjcf(const World& world, const MeshReader& meshes, const MjcfLimits& limits) {
   Mjcf mjcf;
   ShapeWriter shapes(world, meshes);

@@ -42,6 +42,9 @@ struct MjcfLimits {
   int stack = 2'000'000;  ///< in numbers of 8 bytes
 };
 
+/// Throws PhysicsError for a world that would take minutes or all memory.
+void check_size(const World& world);
+
 Mjcf write_mjcf(const World& world, const MeshReader& meshes, const MjcfLimits& limits);
 
 }  // namespace ros2wasm_sim

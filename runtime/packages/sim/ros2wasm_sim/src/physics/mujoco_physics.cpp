@@ -73,8 +73,19 @@ class MujocoPhysics final : public Physics {
   }
 
   void set_world(const World& world) override {
+    check_size(world);
     MjcfLimits limits = limits_;
-    build(world, limits);
+    while (true) {
+      try {
+        build(world, limits);
+        break;
+      } catch (const PhysicsError& error) {
+        // Large worlds need more work memory already to be compiled.
+        const bool overflows = std::string(error.what()).find("tack overflow") != std::string::npos;
+        if (!overflows || limits.stack >= kMostStack) throw;
+        limits.stack = std::min(4 * limits.stack, kMostStack);
+      }
+    }
     world_ = world;
   }
 

@@ -77,8 +77,8 @@ class ClassicDiffDrive final : public System {
       WheelPair pair;
       pair.left = joint_of(context, left[i]);
       pair.right = joint_of(context, right[i]);
-      pair.left_link = child_of(*context.model, left[i]);
-      pair.right_link = child_of(*context.model, right[i]);
+      pair.left_link = child_of(*context.model, context.plugin.model_scope + left[i]);
+      pair.right_link = child_of(*context.model, context.plugin.model_scope + right[i]);
       if (i < separations.size())
         pair.separation = given.each("wheel_separation")[i].own_number(0.34);
       if (i < diameters.size()) pair.diameter = given.each("wheel_diameter")[i].own_number(0.15);

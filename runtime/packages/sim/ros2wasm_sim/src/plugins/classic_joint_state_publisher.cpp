@@ -15,7 +15,8 @@ class ClassicJointStatePublisher final : public System {
     const auto names = Parameters(context.plugin.xml).all("joint_name");
     if (names.empty()) throw PluginError("Plugin missing <joint_name>s");
     for (const std::string& name : names) {
-      const JointHandle joint = physics_.joint(context.model->name, name);
+      const JointHandle joint =
+          physics_.joint(context.model->name, context.plugin.model_scope + name);
       if (!joint.valid()) {
         RCLCPP_ERROR(node_->get_logger(), "Joint %s does not exist!", name.c_str());
         continue;

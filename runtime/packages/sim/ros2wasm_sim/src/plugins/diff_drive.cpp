@@ -79,12 +79,13 @@ class DiffDrive final : public System {
 
   void read_side(const PluginContext& context, const char* element, std::vector<Wheel>& wheels) {
     for (const std::string& name : given_.all(element)) {
-      const JointHandle joint = physics_.joint(context.model->name, name);
+      const JointHandle joint =
+          physics_.joint(context.model->name, context.plugin.model_scope + name);
       if (!joint.valid())
         throw PluginError("Failed to find " +
                           std::string(element == std::string("left_joint") ? "left" : "right") +
                           " joint [" + name + "] for model [" + context.model->name + "]");
-      wheels.push_back({joint, effort_limit(*context.model, name)});
+      wheels.push_back({joint, effort_limit(*context.model, context.plugin.model_scope + name)});
     }
     if (wheels.empty())
       throw PluginError("DiffDrive plugin of model [" + context.model->name + "] has no <" +

@@ -49,7 +49,7 @@ constexpr std::array kSensors{
 
 /// Plugins whose work the simulator does itself, or that are for a window that a site does not
 /// have.
-constexpr std::array<std::string_view, 14> kBuiltIn{"Physics",
+constexpr std::array<std::string_view, 15> kBuiltIn{"Physics",
                                                     "UserCommands",
                                                     "SceneBroadcaster",
                                                     "Sensors",
@@ -62,7 +62,8 @@ constexpr std::array<std::string_view, 14> kBuiltIn{"Physics",
                                                     "gazebo_ros_init",
                                                     "gazebo_ros_factory",
                                                     "gazebo_ros_force_system",
-                                                    "gazebo_ros_properties"};
+                                                    "gazebo_ros_properties",
+                                                    "gazebo_ros_state"};
 
 bool is_built_in(std::string_view name) {
   return std::find(kBuiltIn.begin(), kBuiltIn.end(), name) != kBuiltIn.end();

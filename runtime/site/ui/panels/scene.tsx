@@ -56,10 +56,11 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     inspect(picked?.part == null ? null : { topic: picked.part.topic, hit: { place: picked.place, frame, part: picked.part } });
   });
 
+  // Hidden topics, such as those of a simulator before its bridge, are there for who names them in the layout.
   const known = topics
-    .filter(({ name, type }) => canShow(name, type))
+    .filter(({ name, type }) => canShow(name, type) && (!isHiddenTopic(name) || options.topics?.includes(name) === true))
     .toSorted((a, b) => (a.name < b.name ? -1 : 1));
-  const usual = known.filter(({ name }) => !isHiddenTopic(name)).slice(0, kMostUnasked);
+  const usual = known.slice(0, kMostUnasked);
   const isOn = (name: string): boolean =>
     options.topics === null ? usual.some((topic) => topic.name === name) : options.topics.includes(name);
   const shown: readonly ShownTopic[] = known.filter(({ name }) => isOn(name));
@@ -112,7 +113,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const troubles = [...(note === '' ? [] : [note]), ...rows.filter((row) => row.problem !== '').map((row) => `${row.name}: ${row.problem}`)];
   const said = tools.said === '' && view !== null ? panelTexts.scene.frameCount(view.frameCount) : tools.said;
   const pictures = [...new Set([
-    ...topics.filter(({ type }) => isImage(type)).map(({ name }) => name).toSorted(),
+    ...topics.filter(({ name, type }) => isImage(type) && !isHiddenTopic(name)).map(({ name }) => name).toSorted(),
     ...options.images.map(({ topic }) => topic),
   ])].slice(0, kMostOffers);
 

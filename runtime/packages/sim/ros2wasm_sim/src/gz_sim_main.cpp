@@ -25,6 +25,13 @@ constexpr std::array kWithValue{
     "--render-engine-server", "--record-path",    "--record-topic",       "--playback",
     "--gui-config",           "--network-role",   "--network-secondaries"};
 
+/// `-r`, or as one of several flags, `-rs`.
+bool lets_run(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' &&
+         word.find_first_not_of("gsr", 1) == std::string::npos &&
+         word.find('r', 1) != std::string::npos;
+}
+
 bool is_digit(const std::string& word) {
   return word.size() == 1 && word[0] >= '0' && word[0] <= '4';
 }
@@ -34,7 +41,7 @@ Arguments read(const std::vector<std::string>& words) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::string& word = words[i];
     const std::string value = i + 1 < words.size() ? words[i + 1] : "";
-    if (word == "-r")
+    if (lets_run(word))
       result.options.runs = true;
     else if (word == "--iterations")
       result.options.steps = std::strtoull(value.c_str(), nullptr, 10), ++i;

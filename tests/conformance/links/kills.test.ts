@@ -9,10 +9,13 @@ import { World } from './world.ts';
 const watchdog = { timeout: 120_000 };
 const rounds = 12;
 
-function until(condition: () => boolean): Promise<void> {
-  return new Promise((resolve) => {
+/** Looks again and again. It gives up before the test's own limit, as that would leave the loop running for ever. */
+function until(condition: () => boolean, state: () => string): Promise<void> {
+  const end = performance.now() + 60_000;
+  return new Promise((resolve, reject) => {
     const look = (): void => {
       if (condition()) resolve();
+      else if (performance.now() > end) reject(new Error(state()));
       else setImmediate(look);
     };
     look();
@@ -52,7 +55,7 @@ for (const { what, largest, qos } of [
       await deaf.terminate();
       await reader.terminate();
       // The broker frees what was left behind.
-      await until(() => broker.bus.usage().used === 0);
+      await until(() => broker.bus.usage().used === 0, () => `${broker.bus.usage().used} pages are still owned`);
       assert.equal(broker.link.graph().endpoints.length, 0);
     } finally {
       await world.close();
@@ -106,7 +109,7 @@ test('a worker that spins for ever harms nobody, and vanishes when it is killed'
     assert.deepEqual((await a.call('waitGraph', 2)).nodes.map(({ name }) => name), ['a', 'b']);
     await a.terminate();
     await b.terminate();
-    await until(() => broker.bus.usage().used === 0);
+    await until(() => broker.bus.usage().used === 0, () => `${broker.bus.usage().used} pages are still owned`);
   } finally {
     await world.close();
   }

@@ -64,6 +64,8 @@ const classicTags = `
       <publish_odom>true</publish_odom><publish_odom_tf>true</publish_odom_tf></plugin>
     <plugin name="joints" filename="libgazebo_ros_joint_state_publisher.so">
       <joint_name>left_joint</joint_name><joint_name>right_joint</joint_name></plugin>
+    <plugin name="truth" filename="libgazebo_ros_p3d.so"><ros><remapping>odom:=truth</remapping></ros>
+      <body_name>base_footprint</body_name></plugin>
     <plugin name="smoke" filename="libsmoke_machine.so"/>
   </gazebo>`;
 
@@ -79,17 +81,33 @@ const simTags = `
       <wheel_radius>0.05</wheel_radius><topic>cmd_vel</topic><odom_topic>odom</odom_topic><tf_topic>tf</tf_topic>
       <frame_id>odom</frame_id><child_frame_id>base_footprint</child_frame_id></plugin>
     <plugin filename="gz-sim-joint-state-publisher-system" name="gz::sim::systems::JointStatePublisher"><topic>joint_states</topic></plugin>
+    <plugin filename="gz-sim-odometry-publisher-system" name="gz::sim::systems::OdometryPublisher">
+      <odom_topic>truth</odom_topic><tf_topic>truth_tf</tf_topic></plugin>
+    <plugin filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher"/>
     <plugin filename="gz-sim-smoke-machine-system" name="gz::sim::systems::SmokeMachine"/>
   </gazebo>`;
 
 const box = '<geometry><box><size>0.2 6 1</size></box></geometry>';
+const mesh = '<geometry><mesh><uri>model://scout/wall.obj</uri></mesh></geometry>';
+/** The same box: its corners, and its sides by their numbers. */
+const wallObject = `${[-0.1, 0.1].flatMap((x) => [-3, 3].flatMap((y) => [-0.5, 0.5].map((z) => `v ${x} ${y} ${z}`))).join('\n')}
+f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4
+`;
 const plane = '<geometry><plane><normal>0 0 1</normal><size>20 20</size></plane></geometry>';
-const world = (version: string, systems: string): string => `<sdf version="${version}"><world name="room">${systems}
+const world = (version: string, systems: string, wall: string, more = ''): string => `<sdf version="${version}"><world name="room">${systems}
   <model name="floor"><static>true</static><link name="l"><collision name="c">${plane}</collision></link></model>
   <model name="wall"><static>true</static><pose>3.1 0 0.5 0 0 0</pose><link name="l">
-    <collision name="c">${box}</collision><visual name="v">${box}</visual></link></model>
+    <collision name="c">${wall}</collision><visual name="v">${wall}</visual></link></model>${more}
 </world></sdf>
 `;
+/** It has no wheels: its plugin moves it. */
+const glider = `
+  <plugin name="states" filename="libgazebo_ros_state.so"/>
+  <model name="glider"><pose>0 -3 0.1 0 0 1.5708</pose><link name="body">
+    <inertial><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>
+    <collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry><surface><friction><ode><mu>0</mu></ode></friction></surface></collision></link>
+    <plugin name="glide" filename="libgazebo_ros_planar_move.so"><ros><namespace>glider</namespace></ros>
+      <publish_odom_tf>false</publish_odom_tf></plugin></model>`;
 const systems = ['Physics', 'UserCommands', 'SceneBroadcaster', 'Sensors', 'Imu']
   .map((name) => `<plugin filename="gz-sim-${name.toLowerCase()}-system" name="gz::sim::systems::${name}"/>`).join('');
 
@@ -132,6 +150,9 @@ const simLaunch = launch(`
             '/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock', '/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist',
             '/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry', '/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V',
             '/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan', '/imu@sensor_msgs/msg/Imu[gz.msgs.IMU',
+            '/truth@nav_msgs/msg/Odometry[gz.msgs.Odometry', '/model/scout/pose@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V',
+            '/world/room/control@ros_gz_interfaces/srv/ControlWorld', '/world/room/set_pose@ros_gz_interfaces/srv/SetEntityPose',
+            '/world/room/remove@ros_gz_interfaces/srv/DeleteEntity',
             '/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model']),`);
 
 /** Drives 1 m forward in 5 s of the clock, and reports what it sensed before and behind. */
@@ -144,11 +165,17 @@ const pilot = `
 #include "sensor_msgs/msg/imu.hpp"
 #include "sensor_msgs/msg/joint_state.hpp"
 #include "sensor_msgs/msg/laser_scan.hpp"
+#include "tf2_msgs/msg/tf_message.hpp"
 
 class Pilot : public rclcpp::Node {
  public:
   Pilot() : Node("pilot") {
     commands_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    glide_ = create_publisher<geometry_msgs::msg::Twist>("glider/cmd_vel", 10);
+    glides_by_ = create_subscription<nav_msgs::msg::Odometry>("glider/odom", 10, [this](const nav_msgs::msg::Odometry& m) {
+      glider_y_ = m.pose.pose.position.y;
+      glides_ = true;
+    });
     odometry_ = create_subscription<nav_msgs::msg::Odometry>("odom", 10, [this](const nav_msgs::msg::Odometry& m) {
       x_ = m.pose.pose.position.x;
       knows_ = true;
@@ -162,6 +189,11 @@ class Pilot : public rclcpp::Node {
     imus_ = create_subscription<sensor_msgs::msg::Imu>("imu", rclcpp::SensorDataQoS(), [this](const sensor_msgs::msg::Imu& m) { up_ = m.linear_acceleration.z; });
     joints_ = create_subscription<sensor_msgs::msg::JointState>("joint_states", 10, [this](const sensor_msgs::msg::JointState& m) {
       for (size_t i = 0; i < m.name.size(); ++i) if (m.name[i] == "left_joint") wheel_ = m.position[i];
+    });
+    truths_ = create_subscription<nav_msgs::msg::Odometry>("truth", rclcpp::SensorDataQoS(), [this](const nav_msgs::msg::Odometry& m) { true_x_ = m.pose.pose.position.x; });
+    frames_ = create_subscription<tf2_msgs::msg::TFMessage>("/tf", 100, [this](const tf2_msgs::msg::TFMessage& m) {
+      for (const auto& one : m.transforms)
+        if (one.header.frame_id == "odom" && one.child_frame_id == "base_footprint") frame_x_ = one.transform.translation.x;
     });
     timer_ = create_timer(std::chrono::milliseconds(20), [this] { tick(); });
   }
@@ -177,6 +209,7 @@ class Pilot : public rclcpp::Node {
     if (now < begin_) {
       first_x_ = x_;
       first_wheel_ = wheel_;
+      first_true_x_ = true_x_;
       return;
     }
     if (now < begin_ + 0.04)
@@ -184,17 +217,22 @@ class Pilot : public rclcpp::Node {
     geometry_msgs::msg::Twist command;
     if (now < begin_ + 5) command.linear.x = 0.2;
     commands_->publish(command);
+    glide_->publish(command);
     if (now < begin_ + 6) return;
     done_ = true;
-    RCLCPP_INFO(get_logger(), "drove %.1f m, the wheel rolled %.1f m, %.1f m ahead", x_ - first_x_, 0.05 * (wheel_ - first_wheel_), ahead_);
+    if (glides_) RCLCPP_INFO(get_logger(), "the glider, which looks to the left, went %.1f m to the left", 3 + glider_y_);
+    RCLCPP_INFO(get_logger(), "drove %.1f m, in truth %.1f m, by its frame %.1f m, the wheel rolled %.1f m, %.1f m ahead", x_ - first_x_,
+                true_x_ - first_true_x_, frame_x_ - first_x_, 0.05 * (wheel_ - first_wheel_), ahead_);
   }
 
-  double x_ = 0, first_x_ = 0, ahead_ = 0, beside_ = 0, up_ = 0, wheel_ = 0, first_wheel_ = 0, begin_ = -1;
+  double x_ = 0, first_x_ = 0, ahead_ = 0, beside_ = 0, up_ = 0, wheel_ = 0, first_wheel_ = 0, begin_ = -1, true_x_ = 0, first_true_x_ = 0, frame_x_ = 0;
   size_t rays_ = 0;
   std::string frame_;
-  bool knows_ = false, done_ = false;
-  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr commands_;
-  rclcpp::Subscription<nav_msgs::msg::Odometry>::SharedPtr odometry_;
+  double glider_y_ = 0;
+  bool knows_ = false, done_ = false, glides_ = false;
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr commands_, glide_;
+  rclcpp::Subscription<nav_msgs::msg::Odometry>::SharedPtr odometry_, truths_, glides_by_;
+  rclcpp::Subscription<tf2_msgs::msg::TFMessage>::SharedPtr frames_;
   rclcpp::Subscription<sensor_msgs::msg::LaserScan>::SharedPtr scans_;
   rclcpp::Subscription<sensor_msgs::msg::Imu>::SharedPtr imus_;
   rclcpp::Subscription<sensor_msgs::msg::JointState>::SharedPtr joints_;
@@ -208,11 +246,11 @@ int main(int argc, char** argv) {
 }
 `;
 
-const messages = ['geometry_msgs', 'nav_msgs', 'sensor_msgs'];
+const messages = ['geometry_msgs', 'nav_msgs', 'sensor_msgs', 'tf2_msgs'];
 const cmake = `find_package(rclcpp REQUIRED)
 ${messages.map((name) => `find_package(${name} REQUIRED)`).join('\n')}
 ament_target_dependencies(pilot rclcpp ${messages.join(' ')})
-install(FILES scout.urdf room.world sim.launch.py DESTINATION share/\${PROJECT_NAME})
+install(FILES scout.urdf room.world wall.obj sim.launch.py DESTINATION share/\${PROJECT_NAME})
 `;
 
 interface Lab {
@@ -228,22 +266,23 @@ interface Lab {
 
 const common = [
   /\[pilot\]: 181 rays of head, 2\.90 m ahead, nothing beside: 1, up 9\.80$/m,
-  /\[pilot\]: drove 1\.0 m, the wheel rolled 1\.0 m, 1\.9 m ahead$/m,
+  /\[pilot\]: drove 1\.0 m, in truth 1\.0 m, by its frame 1\.0 m, the wheel rolled 1\.0 m, 1\.9 m ahead$/m,
 ];
 const labs: readonly Lab[] = [
   {
-    name: 'classic', depends: ['gazebo_ros'], urdf: robot(classicTags), world: world('1.6', ''), launch: classicLaunch,
+    name: 'classic', depends: ['gazebo_ros'], urdf: robot(classicTags), world: world('1.6', '', mesh, glider), launch: classicLaunch,
     argument: 'verbose:=true',
     said: [
       ...common,
       /\[spawn_entity\]: Spawn status: SpawnEntity: Successfully spawned entity \[scout\]$/m,
+      /\[pilot\]: the glider, which looks to the left, went 1\.0 m to the left$/m,
       /\[again\]: Spawn status: Entity \[wall\] already exists\.$/m,
       /\[drive\]: Publishing odom transforms between \[odom\] and \[base_footprint\]$/m,
       /WARN.*\[gazebo\]: plugin \[smoke\] \(libsmoke_machine\.so\) is skipped: the simulator does not have it$/m,
     ],
   },
   {
-    name: 'sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], urdf: robot(simTags), world: world('1.9', systems), launch: simLaunch,
+    name: 'sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], urdf: robot(simTags), world: world('1.9', systems, box), launch: simLaunch,
     argument: 'debugger:=true',
     said: [
       ...common,
@@ -263,6 +302,7 @@ before(async () => {
     workspace.addPackage('scout', { pilot }, { cmake, depends: ['rclcpp', ...messages, 'robot_state_publisher', ...lab.depends] });
     workspace.write('src/scout/scout.urdf', lab.urdf);
     workspace.write('src/scout/room.world', lab.world);
+    workspace.write('src/scout/wall.obj', wallObject);
     workspace.write('src/scout/sim.launch.py', lab.launch);
     workspace.write('workspace.yaml', 'schema: 1\nname: scout\npackages: [src/*]\nlaunch: src/scout/sim.launch.py\n');
     const packed = await workspace.run(['pack']);
@@ -282,6 +322,8 @@ for (const [index, lab] of labs.entries()) {
       const run = await workspace().run(['run', 'site', lab.argument, '--link', link, '--for', '120s', '--until', 'drove']);
       assert.equal(run.code, 0, run.stdout + run.stderr);
       for (const line of lab.said) assert.match(run.stdout, line, run.stdout + run.stderr);
+      assert.match(run.stderr, /^\[(spawn_entity\.py|create)-\d\] process has finished cleanly$/m);
+      assert.match(run.stderr, /^\[(spawn_entity\.py|create)-\d\] process has died \[exit code 1\]$/m);
     });
   }
 
@@ -293,7 +335,7 @@ for (const [index, lab] of labs.entries()) {
       const troubles: string[] = [];
       page.on('pageerror', (error) => troubles.push(error.message));
       await page.goto(server.url);
-      await page.getByText(/drove 1\.0 m, the wheel rolled 1\.0 m, 1\.9 m ahead/).first().waitFor({ timeout: 120_000 });
+      await page.getByText(/drove 1\.0 m, in truth 1\.0 m, .* 1\.9 m ahead/).first().waitFor({ timeout: 120_000 });
       // In the place of Gazebo's window.
       await page.locator('.panel-scene').waitFor();
       assert.deepEqual(troubles, []);
@@ -303,6 +345,46 @@ for (const [index, lab] of labs.entries()) {
     }
   });
 }
+
+/** What `ros2 service call` prints of the answer, from a shell. */
+async function called(lab: string, service: string, type: string, request: string): Promise<string> {
+  const workspace = workspaces.get(lab) ?? assert.fail();
+  const run = await workspace.run(['ros2', 'site', 'service', 'call', service, type, request]);
+  assert.equal(run.code, 0, run.stdout + run.stderr);
+  return run.stdout;
+}
+
+test('the services of Gazebo Classic', watchdog, async () => {
+  assert.match(await called('classic', '/get_model_list', 'gazebo_msgs/srv/GetModelList', '{}'), /'floor', 'wall', 'glider'/);
+  assert.match(await called('classic', '/delete_entity', 'gazebo_msgs/srv/DeleteEntity', '{name: wall}'), /Successfully deleted entity \[wall\]/);
+  assert.match(await called('classic', '/delete_entity', 'gazebo_msgs/srv/DeleteEntity', '{name: hall}'), /Entity \[hall\] does not exist/);
+  const state = await called('classic', '/get_entity_state', 'gazebo_msgs/srv/GetEntityState', '{name: wall}');
+  assert.match(state, /Point\(x=3\.1, y=0\.0, z=0\.5\)/);
+  for (const name of ['pause_physics', 'unpause_physics', 'reset_world', 'reset_simulation'])
+    assert.match(await called('classic', `/${name}`, 'std_srvs/srv/Empty', '{}'), /Empty_Response/);
+  const moved = '{state: {name: wall, pose: {position: {x: 5.0}}}}';
+  assert.match(await called('classic', '/set_entity_state', 'gazebo_msgs/srv/SetEntityState', moved), /success=True/);
+  assert.match(await called('classic', '/set_entity_state', 'gazebo_msgs/srv/SetEntityState', '{state: {name: hall}}'), /success=False/);
+});
+
+test('the services of Gazebo Sim, through the bridge', watchdog, async () => {
+  const control = (what: string): Promise<string> =>
+    called('sim', '/world/room/control', 'ros_gz_interfaces/srv/ControlWorld', `{world_control: {${what}}}`);
+  assert.match(await control('pause: true, multi_step: 10'), /success=True/);
+  const pose = (name: string): Promise<string> =>
+    called('sim', '/world/room/set_pose', 'ros_gz_interfaces/srv/SetEntityPose', `{entity: {name: ${name}, type: 2}, pose: {position: {x: 5.0}}}`);
+  assert.match(await pose('wall'), /success=True/);
+  assert.match(await pose('hall'), /success=False/);
+  const remove = (name: string): Promise<string> =>
+    called('sim', '/world/room/remove', 'ros_gz_interfaces/srv/DeleteEntity', `{entity: {name: ${name}, type: 2}}`);
+  assert.match(await remove('wall'), /success=True/);
+  assert.match(await remove('hall'), /success=False/);
+});
+
+test('the poses of links are published', watchdog, async () => {
+  const poses = await (workspaces.get('sim') ?? assert.fail()).run(['ros2', 'site', 'topic', 'echo', '/model/scout/pose', '--once']);
+  assert.match(poses.stdout, /child_frame_id: scout\/base_footprint/, poses.stderr);
+});
 
 test('the template of a simulation: its checks pass, and two stepped runs of a seed send the same', watchdog, async () => {
   const workspace = new PackWorkspace('shared');

@@ -236,6 +236,62 @@ TEST(Simulator, ALidarMeasuresAWallFromEachAngle) {
   EXPECT_EQ(behind.measure()[0], kInfinity);
 }
 
+TEST(Simulator, TheNoiseOfALidarIsAsItsElementSays) {
+  const auto physics = physics_of({fixed(solid("wall", Box{{0.1, 10, 4}}, {2.05, 0, 0})),
+                                   fixed(solid("carrier", Sphere{0.05}, {0, 0, 0}))});
+  Sensor sensor;
+  sensor.name = "lidar";
+  sensor.type = "ray";
+  const auto document = std::make_shared<const ros2wasm_xml::XmlDocument>(
+      "<sensor><ray><scan><horizontal><samples>1</samples></horizontal></scan><range><min>0.12</"
+      "min><max>10</max>"
+      "</range><noise "
+      "type=\"gaussian\"><mean>0</mean><stddev>0.01</stddev></noise></ray></sensor>");
+  sensor.xml = {document, &document->root()};
+  Lidar lidar(sensor, *physics, "carrier", "link", 1), twin(sensor, *physics, "carrier", "link", 1);
+  double sum = 0, squares = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double range = lidar.measure()[0];
+    EXPECT_EQ(range, twin.measure()[0]);  // the same seed, the same noise
+    sum += range;
+    squares += range * range;
+  }
+  const double mean = sum / 200;
+  EXPECT_NEAR(mean, 2, 0.003);
+  EXPECT_NEAR(std::sqrt(squares / 200 - mean * mean), 0.01, 0.002);
+}
+
+TEST(Simulator, AModelThatExplodesIsNamed) {
+  const auto physics = physics_of({ground(), solid("box", Box{{1, 1, 1}}, {0, 0, 10})});
+  physics->set_model_velocity("box", {{1e300, 0, 0}, {}});
+  try {
+    run(*physics, 10);
+    FAIL();
+  } catch (const PhysicsError& error) {
+    EXPECT_NE(std::string(error.what()).find("model `box`, link `link`,"), std::string::npos)
+        << error.what();
+  }
+  physics->reset();
+  EXPECT_EQ(physics->pose(physics->link("box", "link")).position.z, 10);
+  run(*physics, 10);
+}
+
+TEST(Simulator, AModelThatComesBackHasNoOldCommands) {
+  World world;
+  world.models = {ground(), rover()};
+  const auto physics = make_physics({});
+  physics->set_world(world);
+  physics->set_motor(physics->joint("rover", "left_joint"), 4, 20);
+  physics->set_motor(physics->joint("rover", "right_joint"), 4, 20);
+  run(*physics, 500);
+  world.models.pop_back();
+  physics->set_world(world);
+  world.models.push_back(rover());
+  physics->set_world(world);
+  run(*physics, 500);
+  EXPECT_NEAR(physics->pose(physics->link("rover", "base")).position.x, 0, 0.001);
+}
+
 TEST(Simulator, AWorldThatCannotBeIsRefusedAndTheOldOneGoesOn) {
   World world;
   world.models = {ground(), solid("box", Box{{1, 1, 1}}, {0, 0, 10})};

@@ -127,7 +127,7 @@ class ModelWriter {
     bodies_ += "<inertial pos=\"" + text(centre) + "\" mass=\"" +
                number(std::max(link.inertial.mass, kLeastMass)) + "\" fullinertia=\"" +
                inertia(link.inertial, link.name, mjcf_.warnings) + "\"/>\n";
-    bodies_ += shapes_.shapes_of(model_, link, joint, is_free || joint != nullptr, mjcf_);
+    bodies_ += shapes_.shapes_of(link, joint, is_free || joint != nullptr, mjcf_);
   }
 
   void write_joint(const Joint& joint) {

@@ -18,7 +18,6 @@ struct MjcfNames {
   /// Model to its root links. Those of a model that moves have a free joint `f7` of the body's
   /// number.
   std::map<std::string, std::vector<int>> roots;
-  std::vector<std::string> collisions;  ///< `model::link::collision` of geom `c12`
   std::vector<std::pair<std::string, std::string>> link_names;  ///< of the bodies, by number
   std::vector<int> weightless;                ///< bodies that gravity does not pull
   std::map<std::string, std::string> meshes;  ///< name in the model to path
@@ -30,11 +29,11 @@ struct Mjcf {
   std::vector<std::string> warnings;
 };
 
-/// Geometry groups: what rays of a lidar meet, what collides only, and what is seen.
+/// Groups of shapes: those that collide and that a lidar of type `ray` meets, those that only
+/// collide, and those that are seen.
 constexpr int kCollisionGroup = 0;
 constexpr int kContactOnlyGroup = 1;
-constexpr int kRayOnlyGroup = 2;
-constexpr int kVisualGroup = 3;
+constexpr int kVisualGroup = 2;
 
 /// The sizes of the engine's work memory.
 struct MjcfLimits {

@@ -91,15 +91,10 @@ int ShapeWriter::priority(double mu) const {
   return priorities_.at(mu);
 }
 
-std::string ShapeWriter::shapes_of(const Model& model, const Link& link, const Joint* joint,
-                                   bool moves, Mjcf& mjcf) {
+std::string ShapeWriter::shapes_of(const Link& link, const Joint* joint, bool moves, Mjcf& mjcf) {
   std::string geoms;
-  for (const Collision& shape : link.collisions) {
-    const std::size_t before = mjcf.names.collisions.size();
+  for (const Collision& shape : link.collisions)
     geoms += collision(shape, link, joint, moves, mjcf);
-    for (std::size_t i = before; i < mjcf.names.collisions.size(); ++i)
-      mjcf.names.collisions[i] = model.name + "::" + link.name + "::" + shape.name;
-  }
   for (const Visual& shape : link.visuals) geoms += visual(shape, mjcf);
   return geoms;
 }
@@ -111,12 +106,10 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   if (where.empty()) return {};
   const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
                         int group, const std::string& more = {}) {
-    const int index = static_cast<int>(mjcf.names.collisions.size());
-    mjcf.names.collisions.emplace_back();
     const double mu = friction_of(shape.surface);
-    return "<geom name=\"c" + std::to_string(index) + "\"" + form + bits(type, affinity) +
-           " group=\"" + std::to_string(group) + "\" priority=\"" + std::to_string(priority(mu)) +
-           "\" friction=\"" + number(mu) + " .005 .0001\"" + more + "/>\n";
+    return "<geom" + form + bits(type, affinity) + " group=\"" + std::to_string(group) +
+           "\" priority=\"" + std::to_string(priority(mu)) + "\" friction=\"" + number(mu) +
+           " .005 .0001\"" + more + "/>\n";
   };
   const Surface& surface = shape.surface;
   colliding_.insert(static_cast<int>(mjcf.names.link_names.size()) - 1);

@@ -20,8 +20,7 @@ class ShapeWriter {
   ShapeWriter(const World& world, const MeshReader& meshes);
 
   /// The geoms of a link. `joint` is the one that it hangs on, or null.
-  std::string shapes_of(const Model& model, const Link& link, const Joint* joint, bool moves,
-                        Mjcf& mjcf);
+  std::string shapes_of(const Link& link, const Joint* joint, bool moves, Mjcf& mjcf);
   bool collides(int body) const { return colliding_.count(body) != 0; }
   /// The meshes that were used.
   const std::string& assets() const { return assets_; }

@@ -47,7 +47,6 @@ struct Motor {
   bool on = false;
   double velocity = 0;
   double max_effort = 0;
-  double effort = 0;  ///< when it is off
 };
 
 struct JointRow {
@@ -57,7 +56,7 @@ struct JointRow {
   int position = -1;
   Motor motor = {};
   double base_friction = 0;  ///< that the world gives
-  double efforts = 0;        ///< of the last step
+  double effort = 0;         ///< of the last step
 };
 
 struct LinkRow {
@@ -117,7 +116,7 @@ class MujocoPhysics final : public Physics {
       }
     for (JointRow& row : joints_) {
       row.motor = {};
-      row.efforts = 0;
+      row.effort = 0;
     }
     apply_motors();
     mj_forward(model_.get(), data_.get());
@@ -172,18 +171,12 @@ class MujocoPhysics final : public Physics {
   }
   double effort(JointHandle joint) const override {
     const JointRow* row = row_of(joint);
-    return row == nullptr ? 0 : row->efforts;
+    return row == nullptr ? 0 : row->effort;
   }
 
   void set_motor(JointHandle joint, double velocity, double max_effort) override {
     if (JointRow* row = row_of(joint)) {
-      row->motor = {true, velocity, max_effort, 0};
-      apply_motor(*row);
-    }
-  }
-  void set_effort(JointHandle joint, double effort) override {
-    if (JointRow* row = row_of(joint)) {
-      row->motor = {false, 0, 0, effort};
+      row->motor = {true, velocity, max_effort};
       apply_motor(*row);
     }
   }
@@ -225,19 +218,10 @@ class MujocoPhysics final : public Physics {
     return true;
   }
 
-  void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque) override {
-    const int body = body_of(link);
-    if (body < 0) return;
-    mjtNum* applied = data_->xfrc_applied + 6 * body;
-    const std::array<double, 6> more{force.x, force.y, force.z, torque.x, torque.y, torque.z};
-    for (int i = 0; i < 6; ++i) applied[i] += more[i];
-  }
-
   void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
             std::vector<double>& distances) override {
     std::array<mjtByte, mjNGROUP> groups{};
-    if (sees == RaySees::kCollisions) groups[kCollisionGroup] = groups[kRayOnlyGroup] = 1;
-    if (sees == RaySees::kVisuals) groups[kVisualGroup] = 1;
+    groups[sees == RaySees::kCollisions ? kCollisionGroup : kVisualGroup] = 1;
     distances.resize(rays.size());
     const int without = body_of(exclude);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -249,18 +233,6 @@ class MujocoPhysics final : public Physics {
           mj_ray(model_.get(), data_.get(), from, along, groups.data(), 1, without, &geom);
       distances[i] = far < 0 ? kInfinity : far;
     }
-  }
-
-  std::vector<Contact> contacts() override {
-    if (!records_contacts_) record_contacts();
-    records_contacts_ = true;
-    return contacts_;
-  }
-
-  std::string collision_name(int collision) const override {
-    return collision < 0 || collision >= static_cast<int>(names_.collisions.size())
-               ? std::string()
-               : names_.collisions[collision];
   }
 
   /// FNV-1a over the bits of the state.
@@ -341,11 +313,6 @@ class MujocoPhysics final : public Physics {
     bodies_.assign(names_.link_names.size(), -1);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       bodies_[i] = mj_name2id(model_.get(), mjOBJ_BODY, ("b" + std::to_string(i)).c_str());
-    collisions_.assign(model_->ngeom, -1);
-    for (std::size_t i = 0; i < names_.collisions.size(); ++i) {
-      const int geom = mj_name2id(model_.get(), mjOBJ_GEOM, ("c" + std::to_string(i)).c_str());
-      if (geom >= 0) collisions_[geom] = static_cast<int>(i);
-    }
     for (LinkRow& row : links_) {
       const auto known = names_.links.find({row.model, row.name});
       row.body = known == names_.links.end() ? -1 : bodies_[known->second];
@@ -360,6 +327,9 @@ class MujocoPhysics final : public Physics {
       row.position = model_->jnt_qposadr[row.id];
       row.base_friction = single ? model_->dof_frictionloss[row.dof] : 0;
     }
+    // A model that comes back with the same name begins without commands.
+    for (JointRow& row : joints_)
+      if (row.id < 0) row.motor = {};
     weightless_.clear();
     for (const int number : names_.weightless) weightless_.push_back(bodies_[number]);
   }
@@ -426,7 +396,6 @@ class MujocoPhysics final : public Physics {
     if (row.dof < 0) return;
     model_->dof_frictionloss[row.dof] =
         row.motor.on ? std::max(row.motor.max_effort, 1e-9) : row.base_friction;
-    data_->qfrc_applied[row.dof] = row.motor.on ? 0 : row.motor.effort;
   }
 
   /// The first half of MuJoCo's step comes last, so that poses, velocities and contacts are those
@@ -439,7 +408,6 @@ class MujocoPhysics final : public Physics {
     }
     mj_step2(model_.get(), data_.get());
     read_efforts();
-    if (records_contacts_) record_contacts();
     std::fill_n(data_->xfrc_applied, 6 * model_->nbody, 0.0);
     mj_step1(model_.get(), data_.get());
   }
@@ -462,7 +430,7 @@ class MujocoPhysics final : public Physics {
     for (JointRow& joint : joints_) {
       if (joint.dof < 0) continue;
       const int row = joint.motor.on ? motor_rows_[joint.dof] : -1;
-      joint.efforts = row >= 0 ? data_->efc_force[row] : joint.motor.effort;
+      joint.effort = row >= 0 ? data_->efc_force[row] : 0;
     }
   }
 
@@ -503,26 +471,6 @@ class MujocoPhysics final : public Physics {
         model +
         " moves faster than can be computed: the world is reset and paused; look at its "
         "masses, moments of inertia and overlapping collisions");
-  }
-
-  /// The contacts of the step that was made: their forces are known by then.
-  void record_contacts() {
-    contacts_.clear();
-    for (int i = 0; i < data_->ncon; ++i) {
-      const mjContact& one = data_->contact[i];
-      if (one.efc_address < 0) continue;
-      mjtNum force[6];
-      mj_contactForce(model_.get(), data_.get(), i, force);
-      Contact contact;
-      contact.collision[0] = collisions_[one.geom1];
-      contact.collision[1] = collisions_[one.geom2];
-      contact.position = vector(one.pos);
-      contact.normal = vector(one.frame);
-      contact.depth = -one.dist;
-      contact.force = force[0] * vector(one.frame) + force[1] * vector(one.frame + 3) +
-                      force[2] * vector(one.frame + 6);
-      contacts_.push_back(contact);
-    }
   }
 
   int free_joint(int number) const {
@@ -575,15 +523,12 @@ class MujocoPhysics final : public Physics {
   ModelPointer model_;
   DataPointer data_;
   MjcfNames names_;
-  std::vector<int> bodies_;      ///< MuJoCo's number of our body
-  std::vector<int> collisions_;  ///< our number of MuJoCo's geom, or -1
+  std::vector<int> bodies_;  ///< MuJoCo's number of our body
   std::vector<LinkRow> links_;
   std::vector<JointRow> joints_;
   std::map<std::pair<std::string, std::string>, std::size_t> joint_rows_;
   std::vector<int> weightless_;
   std::vector<int> motor_rows_;
-  bool records_contacts_ = false;  ///< from the first time that somebody asks
-  std::vector<Contact> contacts_;
 };
 
 }  // namespace

@@ -35,14 +35,6 @@ struct Motion {
   Vector3 angular;  ///< rad/s, or rad/s^2
 };
 
-struct Contact {
-  int collision[2] = {-1, -1};  ///< see Physics::collision_name()
-  Vector3 position;
-  Vector3 normal;    ///< from the first to the second
-  double depth = 0;  ///< metres, positive when they overlap
-  Vector3 force;     ///< newtons on the second, in the world's axes
-};
-
 /// Which shapes a ray meets: those that collide, or those that are seen.
 enum class RaySees { kCollisions, kVisuals };
 
@@ -75,7 +67,7 @@ class Physics {
   /// All poses and velocities as the world describes them.
   virtual void reset() = 0;
 
-  /// A handle that is not valid when there is no such link or joint.
+  /// The handle is invalid if the world has no such link or joint.
   virtual LinkHandle link(const std::string& model, const std::string& link) = 0;
   virtual JointHandle joint(const std::string& model, const std::string& joint) = 0;
 
@@ -87,12 +79,10 @@ class Physics {
 
   virtual double position(JointHandle joint) const = 0;  ///< rad or m
   virtual double velocity(JointHandle joint) const = 0;
-  virtual double effort(JointHandle joint) const = 0;  ///< N m or N, of motor and forces
+  virtual double effort(JointHandle joint) const = 0;  ///< N m or N, of the motor
 
   /// A motor that holds a velocity with at most this effort, until another command.
   virtual void set_motor(JointHandle joint, double velocity, double max_effort) = 0;
-  /// No motor; this effort until another command.
-  virtual void set_effort(JointHandle joint, double effort) = 0;
   /// Puts the joint there at once, at rest.
   virtual void set_position(JointHandle joint, double position) = 0;
 
@@ -100,17 +90,9 @@ class Physics {
   virtual bool set_model_pose(const std::string& model, const Pose& pose, bool at_rest) = 0;
   /// Sets the velocity of a model's root, along the axes of the world.
   virtual bool set_model_velocity(const std::string& model, const Motion& velocity) = 0;
-  /// A force and a torque on the link's centre of mass, for the next step.
-  virtual void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque) = 0;
-
   /// Metres to what each ray meets first, or infinity. Nothing of `exclude` is met.
   virtual void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
                     std::vector<double>& distances) = 0;
-
-  /// Those of the last step.
-  virtual std::vector<Contact> contacts() = 0;
-  /// `model::link::collision`.
-  virtual std::string collision_name(int collision) const = 0;
 
   /// A digest of all positions and velocities.
   virtual std::uint64_t state_hash() const = 0;

@@ -41,16 +41,15 @@ class ClassicDiffDrive final : public System {
     base_frame_ = given.text("robot_base_frame", "base_footprint");
     covariance_ = {given.number("covariance_x", 1e-5), given.number("covariance_y", 1e-5),
                    given.number("covariance_yaw", 1e-3)};
-    connect(given);
+    connect();
   }
 
   void before_step(const Now& now) override {
     if (rate_.due(now.time_ns)) {
       if (from_world_) update_from_world();
       publish(now);
-      command_wheels(now);
+      command_wheels(now);  // the motors keep it between the updates
     }
-    // The engine's motor keeps its command between the updates.
   }
 
   void after_step(const Now& now) override {
@@ -59,7 +58,7 @@ class ClassicDiffDrive final : public System {
 
   void on_reset() override {
     rate_.reset();
-    last_ns_ = 0;
+    last_ns_ = -1;
     pose_ = {};
     for (WheelPair& pair : pairs_) pair.left_speed = pair.right_speed = 0;
     forward_ = turn_ = 0;
@@ -90,7 +89,7 @@ class ClassicDiffDrive final : public System {
     }
   }
 
-  void connect(const Parameters&) {
+  void connect() {
     subscription_ = node_->create_subscription<geometry_msgs::msg::Twist>(
         "cmd_vel", rclcpp::QoS(1), [this](const geometry_msgs::msg::Twist& command) {
           forward_ = command.linear.x;
@@ -114,7 +113,8 @@ class ClassicDiffDrive final : public System {
   }
 
   void command_wheels(const Now& now) {
-    const double seconds = static_cast<double>(now.time_ns - last_ns_) * 1e-9;
+    // Nothing has passed before the first update, however late the robot was spawned.
+    const double seconds = last_ns_ < 0 ? 0 : static_cast<double>(now.time_ns - last_ns_) * 1e-9;
     last_ns_ = now.time_ns;
     for (WheelPair& pair : pairs_) {
       const double radius = pair.diameter / 2;
@@ -206,7 +206,7 @@ class ClassicDiffDrive final : public System {
   PluginNode node_;
   std::string model_;
   Rate rate_;
-  std::int64_t last_ns_ = 0;
+  std::int64_t last_ns_ = -1;  ///< of the last update; -1: there was none
   std::vector<WheelPair> pairs_;
   double max_torque_ = 5;        ///< N m
   double max_acceleration_ = 0;  ///< m/s^2; 0: no limit

@@ -1,4 +1,4 @@
-// libgazebo_ros_planar_move.so: a model that glides over the ground as it is told.
+// libgazebo_ros_planar_move.so: moves a model over the ground with the velocities of `cmd_vel`.
 #include <geometry_msgs/msg/twist.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <tf2_ros/transform_broadcaster.hpp>

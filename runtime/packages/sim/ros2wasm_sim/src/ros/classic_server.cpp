@@ -22,6 +22,7 @@ ClassicServer::ClassicServer(Host& host, Simulation& simulation, const ClassicOp
       simulation_(simulation),
       runner_(host.node(), simulation, [this] { publish_clock(); }) {
   report_warnings(host_.node()->get_logger(), simulation_.physics());
+  simulation_.begin_at(static_cast<std::int64_t>(options.initial_time * 1e9));
   runner_.pause(options.paused);
   if (options.init) offer_clock();
   if (options.factory) offer_factory();

@@ -21,6 +21,7 @@ struct ClassicOptions {
   bool factory = false;  ///< libgazebo_ros_factory.so: spawn and delete
   bool state = false;    ///< libgazebo_ros_state.so of the world: states of models
   bool paused = false;
+  double initial_time = 0;  ///< seconds
 };
 
 class ClassicServer {

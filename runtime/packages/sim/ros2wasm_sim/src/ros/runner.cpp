@@ -108,7 +108,7 @@ std::optional<Model> load_model(const rclcpp::Logger& logger, const std::string&
                                 const std::string& file, std::string& error) {
   Reading<Model> reading = read_model(text, file, site_resources());
   report(logger, reading.notes, error);
-  if (!reading.value && error.empty()) error = "there is no model";
+  if (!reading.value && error.empty()) error = "the text does not describe a model";
   return std::move(reading.value);
 }
 

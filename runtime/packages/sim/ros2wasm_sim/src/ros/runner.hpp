@@ -33,8 +33,9 @@ class Runner {
   bool paused_ = false;
   std::uint64_t most_steps_ = 0, steps_ = 0;
   std::int64_t owed_ns_ = 0;  ///< of simulated time, that is to be made up
-  rclcpp::Time last_;
   rclcpp::Clock clock_{RCL_STEADY_TIME};
+  rclcpp::Time
+      last_;  ///< when time was last looked at; it is read from `clock_`, so it comes after it
   rclcpp::TimerBase::SharedPtr timer_;
 };
 

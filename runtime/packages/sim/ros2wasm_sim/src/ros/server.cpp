@@ -1,0 +1,29 @@
+// See server.hpp.
+#include "ros/server.hpp"
+
+#include "mesh/read_mesh.hpp"
+
+namespace ros2wasm_sim {
+
+int run_server(const ServerSettings& settings) {
+  constexpr int kFailed = 255;
+  auto node = std::make_shared<rclcpp::Node>(settings.node);
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  Host host(node, executor, settings.seed);
+  auto world = settings.load(node->get_logger());
+  if (!world) return kFailed;
+  try {
+    PluginTable table(host, settings.flavour);
+    Simulation simulation(std::move(*world), make_physics(site_meshes(node->get_logger())), table);
+    const std::shared_ptr<void> offered = settings.offer(host, simulation);
+    executor.spin();
+  } catch (const PhysicsError& error) {
+    RCLCPP_ERROR(node->get_logger(), "the world cannot be simulated: %s", error.what());
+    return kFailed;
+  }
+  rclcpp::shutdown();
+  return 0;
+}
+
+}  // namespace ros2wasm_sim

@@ -467,7 +467,7 @@ void LaunchEvaluator::executable(const LaunchEntity& entity) {
   process.node.span = entity.span;
   auto simulator = simulator_command(*words);
   if (simulator && !world_.prefix_of(std::string(kSimulatorPackage)))
-    return leave_it_out("the simulator of sites is in no channel of the workspace: " +
+    return leave_it_out("no channel of the workspace has the simulator, " +
                         std::string(kSimulatorPackage));
   if (simulator && simulator->program.empty()) return pass_over(true);
   if (simulator) {

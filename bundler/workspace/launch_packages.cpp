@@ -101,14 +101,14 @@ bool skip_to_name(std::string_view text, std::size_t& at, Form form) {
   return false;
 }
 
-/// Reads `cmd=[...]` from behind `cmd`: where the name of a program of Gazebo begins, if it starts
-/// Gazebo. Whatever finds the program may be before its name: `ruby $(which gz) sim`.
-std::optional<std::size_t> start_of_gazebo(std::string_view code, std::size_t at) {
+/// Reads `cmd=[...]` from behind `cmd`: the name of a program of Gazebo, as a part of `code`, if it
+/// starts Gazebo. Whatever finds the program may be before its name: `ruby $(which gz) sim`.
+std::optional<std::string_view> program_of_gazebo(std::string_view code, std::size_t at) {
   constexpr std::size_t kMostWords = 8;
   skip_one(code, at, is_quote);
   skip_spaces(code, at, false);
   if (!skip_one(code, at, [](char c) { return c == '=' || c == ':'; })) return std::nullopt;
-  std::optional<std::size_t> program;
+  std::optional<std::string_view> program;
   for (std::size_t i = 0; i < kMostWords; ++i) {
     while (at < code.size() && !is_letter(code[at])) ++at;
     const std::size_t start = at;
@@ -118,9 +118,9 @@ std::optional<std::size_t> start_of_gazebo(std::string_view code, std::size_t at
       if (word == "sim" || word == "gazebo") return program;
       return std::nullopt;
     }
-    if (word == "gazebo" || word == "gzserver" || word == "gzclient") return start;
+    if (word == "gazebo" || word == "gzserver" || word == "gzclient") return word;
     if (word == "gz" || word == "ign") {
-      program = start;
+      program = word;
     } else if (word != "FindExecutable" && word != "name" && word != "ruby" && word != "which" &&
                word != "usr" && word != "bin" && word != "find-exec") {
       return std::nullopt;
@@ -150,10 +150,12 @@ std::vector<Spanned<std::string>> launch_packages(std::string_view text, const s
     while (at < code.size() && is_letter(code[at])) ++at;
     const std::string_view word = std::string_view(code).substr(start, at - start);
     if (word == "cmd") {
-      if (const auto program = start_of_gazebo(code, at);
-          program && known.insert(std::string(kSimulatorPackage)).second)
+      const auto program = program_of_gazebo(code, at);
+      if (program && known.insert(std::string(kSimulatorPackage)).second)
         found.push_back(
-            {.value = std::string(kSimulatorPackage), .span = source.span(*program, 2)});
+            {.value = std::string(kSimulatorPackage),
+             .span = source.span(static_cast<std::size_t>(program->data() - code.data()),
+                                 program->size())});
       continue;
     }
     const auto* row = std::find_if(kWords.begin(), kWords.end(),

@@ -50,7 +50,7 @@ bool is_for_builds(const fs::path& path) {
 bool has_paths_for_gazebo(const fs::path& prefix, const std::string& path) {
   if (!is_installed_file(prefix, path)) return false;
   const auto text = read_file(prefix / path, kMostOfList);
-  return text && text->find("<gazebo_ros ") != std::string::npos;
+  return text && text->find("<gazebo_ros") != std::string::npos;
 }
 
 /// Host and browser read a backslash in an address as a slash.

@@ -106,9 +106,11 @@ test('a link says whether nodes start by themselves', () =>
     await listener(page).getByText(/I heard/).first().waitFor();
   }));
 
-test('the first view is small: page, scripts and styles under 126 kB, without what runs the nodes', () =>
+test('the first view is small: page, scripts and styles under 127 kB, without what runs the nodes', () =>
   onSite({}, async (page) => {
     await page.getByText('2 of 2 running').waitFor();
+    // The panel of checks comes last; without it the sum would depend on the moment.
+    await page.getByText(/of \d+ checks? (passed|seen)|checks? passed/).first().waitFor();
     const loaded = await page.evaluate(() =>
       performance.getEntriesByType('resource').map((entry) => new URL(entry.name).pathname.split('/').at(-1) ?? ''),
     );
@@ -119,7 +121,7 @@ test('the first view is small: page, scripts and styles under 126 kB, without wh
     const bytes = view
       .map((name) => gzipSync(readFileSync(join(site, name)), { level: 9 }).length)
       .reduce((sum, size) => sum + size, 0);
-    assert.ok(bytes < 126_000, `${bytes} bytes gzipped: ${view.join(' ')}`);
+    assert.ok(bytes < 127_000, `${bytes} bytes gzipped: ${view.join(' ')}`);
   }));
 
 test('the topic has its type, its rate and its last message', () =>

@@ -346,7 +346,7 @@ for (const [index, lab] of labs.entries()) {
   });
 }
 
-/** What `ros2 service call` prints of the answer, from a shell. */
+/** The answer as `ros2 service call` prints it, from a shell. */
 async function called(lab: string, service: string, type: string, request: string): Promise<string> {
   const workspace = workspaces.get(lab) ?? assert.fail();
   const run = await workspace.run(['ros2', 'site', 'service', 'call', service, type, request]);

@@ -1,6 +1,7 @@
 // Meshes of files: STL, OBJ and COLLADA, and texts that mean harm.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,16 @@ TEST(MeshFiles, StlInTextAndBytes) {
   EXPECT_EQ(read->vertices.size(), 9U);
   EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2}));
   EXPECT_FALSE(read_stl(text, 0));
+  // A normal and three corners; two of them are equal, so they become one vertex.
+  const float numbers[12] = {9, 9, 9, 1, 2, 3, 4, 5, 6, 1, 2, 3};
   std::string bytes(84 + 50, '\0');
   bytes[80] = 1;
-  EXPECT_TRUE(read_stl(bytes, 10));
+  std::memcpy(bytes.data() + 84, numbers, sizeof numbers);
+  const auto binary = read_stl(bytes, 10);
+  ASSERT_TRUE(binary);
+  EXPECT_EQ(binary->vertices, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(binary->faces, (std::vector<int>{0, 1, 0}));
+  EXPECT_FALSE(read_stl(bytes, 0));
   bytes[80] = 2;
   EXPECT_FALSE(read_stl(bytes, 10));  // shorter than it says
   EXPECT_FALSE(read_stl("", 10));
@@ -63,7 +71,8 @@ TEST(MeshFiles, ColladaWhereItsSceneHasIt) {
                                      kTriangles + kPolygons),
                              10);
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2, 4, 5, 6, 4, 6, 7}));
+  EXPECT_EQ(read->faces, (std::vector<int>{0, 1, 2, 0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(read->vertices.size(), 12U);  // Both lists of faces share their source.
   const std::vector<float> expected{0, 0, 0.5F, 0, 1, 0.5F, -1, 1, 0.5F};
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(read->vertices[i], expected[i], 1e-6) << i;
@@ -88,6 +97,10 @@ TEST(MeshFiles, ColladaThatMeansHarmEnds) {
       "url=\"#n\"/>"
       "</node></visual_scene></library_visual_scenes></COLLADA>";
   EXPECT_FALSE(read_dae(circle, 10));
+  // One node that places a geometry many times.
+  std::string many = "<node>";
+  for (int i = 0; i < 50'000; ++i) many += "<instance_geometry url=\"#g\"/>";
+  EXPECT_FALSE(read_dae(collada(many + "</node>", kTriangles), 200'000));
 }
 
 }  // namespace

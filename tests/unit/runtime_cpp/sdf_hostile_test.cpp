@@ -189,6 +189,26 @@ TEST(SdfHostile, LongChainsAreQuick) {
   EXPECT_LT(std::chrono::duration<double>(end - begin).count(), 10);
 }
 
+TEST(SdfHostile, LongNamesAreErrors) {
+  const std::string name(100'000, 'n');
+  const std::string error = "has more than 500 bytes";
+  EXPECT_NE(notes_of_model("<link name='" + name + "'/>").find(error), std::string::npos);
+  EXPECT_NE(notes_of_world("<include><uri>model://sun</uri><name>" + name + "</name></include>")
+                .find(error),
+            std::string::npos);
+  // A mistake in the XML quotes its element.
+  EXPECT_LT(said(read_world("<" + name, "w", files({})).notes).size(), 2'100U);
+}
+
+TEST(SdfHostile, ManyAttributesOfOneElementAreAnError) {
+  std::string attributes;
+  for (int i = 0; i < 100'000; ++i) {
+    attributes += " a" + std::to_string(i) + "=''";
+  }
+  EXPECT_EQ(said(read_world("<sdf" + attributes + "/>", "w", files({})).notes),
+            "error w:1: the text is not XML: sdf has more than 1000 attributes\n");
+}
+
 TEST(SdfHostile, LongNamesOfManyPartsAreQuick) {
   const std::string name = repeated("a::", 100'000);
   EXPECT_NE(notes_of_model("<link name='a'/><model name='b'><link name='a'/></model>"

@@ -76,10 +76,15 @@ TEST(SdfModel, JointsHaveAxesInTheirOwnFrame) {
   EXPECT_EQ(j.axes[0].effort, kInfinity);
   EXPECT_EQ(j.axes[0].velocity, 3);
   EXPECT_EQ(j.axes[0].damping, 0.1);
+  EXPECT_EQ(j.axes[0].friction, 0.2);
+  EXPECT_EQ(j.axes[0].spring_stiffness, 4);
   EXPECT_EQ(j.axes[0].spring_reference, 5);
   const JointAxis& k = model.joints[1].axes[0];
   EXPECT_EQ(model.joints[1].parent, "world");
+  EXPECT_EQ(k.lower, -kInfinity);
   EXPECT_EQ(k.upper, kInfinity);
+  expect_near(model.joints[1].pose, pose_of(0, 0, 0));
+  EXPECT_EQ(k.mimic->offset, 1);
   EXPECT_EQ(k.mimic->joint, "j");
   EXPECT_EQ(k.mimic->multiplier, 2);
   EXPECT_EQ(k.mimic->reference, 3);
@@ -243,7 +248,10 @@ TEST(SdfModel, SurfacesAndMaterialsAreRead) {
   EXPECT_EQ(visuals[0].material.emissive.b, 1);
   EXPECT_EQ(visuals[0].transparency, 0.5);
   EXPECT_FALSE(visuals[0].cast_shadows);
+  EXPECT_EQ(visuals[1].material.diffuse.r, 0);
   EXPECT_EQ(visuals[1].material.emissive.g, 1);
+  EXPECT_EQ(std::get<Plane>(visuals[1].geometry).height, 4);
+  EXPECT_EQ(std::get<Ellipsoid>(visuals[0].geometry).radii, (Vector3{1, 2, 3}));
   EXPECT_EQ(visuals[2].material.metalness, 0.2);
   EXPECT_EQ(visuals[2].material.roughness, 0.5);
 }
@@ -258,15 +266,39 @@ TEST(SdfModel, WrongNamesAreReportedWithTheNearest) {
       <axis><mimic joint="pp"/></axis></joint>)");
   EXPECT_EQ(
       notes,
-      "error model:2: there is no frame, link, joint or model `bse_link` here; the nearest "
-      "name is `base_link`\n"
+      "error model:2: frame `bse_link` is not defined in this scope; the nearest name is "
+      "`base_link`\n"
       "error model:3: the parent `base_lnk` of the joint `j` does not exist; the nearest name "
       "is `base_link`\n"
       "error model:4: the child `weel` of the joint `k` does not exist; the nearest name is "
       "`wheel`\n"
-      "error model:5: the joint `o` is of type `hinge`, which does not exist\n"
-      "error model:1: the joint `p` mimics the joint `pp`, which does not exist or is itself; "
+      "error model:5: the joint `o` is of type `hinge`, which does not exist: types are fixed, "
+      "revolute, continuous, prismatic, ball, universal, revolute2 and screw\n"
+      "error model:7: the joint `p` mimics the joint `pp`, which does not exist or is itself; "
       "the nearest name is `p`\n");
+}
+
+TEST(SdfModel, AMimicInANestedModelIsReportedOnce) {
+  EXPECT_EQ(
+      notes_of_model("<link name='l'/><model name='n'><link name='a'/><link name='b'/>"
+                     "<joint name='j' type='revolute'><parent>a</parent><child>b</child>"
+                     "<axis><mimic joint='far'/></axis></joint></model>"),
+      "error model:1: the joint `j` mimics the joint `far`, which does not exist or is itself\n");
+}
+
+TEST(SdfModel, BeforeVersion17AJointMayHaveTheNameOfALink) {
+  const std::string text =
+      "<link name='a'/><link name='laser'><pose>0 0 1 0 0 0</pose></link>"
+      "<joint name='laser' type='fixed'><pose>0 2 0 0 0 0</pose><parent>a</parent>"
+      "<child>laser</child></joint>";
+  const Model model = model_of(text, "1.6");
+  ASSERT_EQ(model.joints.size(), 1U);
+  EXPECT_EQ(model.joints[0].name, "laser");
+  EXPECT_EQ(model.joints[0].child, "laser");
+  expect_near(model.joints[0].pose, pose_of(0, 2, 0));
+  const std::string twice =
+      "error model:1: the name `laser` is used twice in the same model or world\n";
+  EXPECT_EQ(notes_of_model(text), twice);
 }
 
 TEST(SdfModel, FramesThatDependOnEachOtherAreErrors) {

@@ -181,7 +181,7 @@ TEST(SdfWorld, TextsWithoutAWorldSayWhatTheyAre) {
             "element is <robot>, a world has <sdf>)\n");
   EXPECT_EQ(notes("<sdf>\n<world"),
             "error f:2: the text is not XML: the tag of world does not end\n");
-  EXPECT_EQ(notes(""), "error f:1: the text is not XML: there is no element\n");
+  EXPECT_EQ(notes(""), "error f:1: the text is not XML: it has no element\n");
   EXPECT_EQ(notes("<sdf><world/></sdf>"),
             "warning f:1: <sdf> has no attribute `version`, so it is read as SDF 1.6\n");
 }
@@ -200,6 +200,23 @@ TEST(SdfWorld, MissingModelsAndMeshesAreWarnings) {
   const Geometry& geometry = reading.value->models[0].links[0].visuals[1].geometry;
   EXPECT_EQ(std::get<Mesh>(geometry).uri, "model://x/y.dae");
   EXPECT_EQ(std::get<Mesh>(geometry).path, "");
+}
+
+TEST(SdfWorld, AFolderWithoutAModelIsAnError) {
+  EXPECT_EQ(
+      notes_of_world("<include><uri>model://a</uri></include>", {{"/models/a/b.dae", ""}}),
+      "error world:1: the model model://a cannot be read: /models/a is not a file, and has no "
+      "model.config and no model.sdf\n");
+}
+
+TEST(SdfWorld, UnknownMaterialsAndSubmeshesAreWarnings) {
+  EXPECT_EQ(notes_of_world("<model name='m'><link name='l'><visual name='v'><geometry><mesh>"
+                           "<uri>model://a.dae</uri><submesh><name>s</name></submesh></mesh>"
+                           "</geometry><material><script><name>Gazebo/Redd</name></script>"
+                           "</material></visual></link></model>",
+                           {{"/models/a.dae", ""}}),
+            "warning world:1: <submesh> is not supported, so the whole mesh is used\n"
+            "warning world:1: material `Gazebo/Redd` is not known, so its visuals are grey\n");
 }
 
 TEST(SdfWorld, AModelOfTheSameNameGetsANumber) {

@@ -199,5 +199,16 @@ TEST(ShareTree, HasWhatProgramsReadAndNothingFromOutside) {
                                 {"share/demo/srv/notes.txt", "mine"}}));
 }
 
+TEST(ShareTree, HasTheDescriptionOfPackagesWithPathsForGazebo) {
+  const testing::TemporaryTree tree;
+  for (const std::string name : {"gazebo_ros", "models"}) {
+    const std::string export_of = name == "models" ? "<gazebo_ros\n  gazebo_model_path='m'/>" : "";
+    tree.write("share/" + name + "/package.xml", "<name>" + name + "</name>" + export_of);
+    SharedFiles files;
+    ASSERT_TRUE(collect_shared_files(tree.root(), name, files));
+    EXPECT_EQ(files.size(), name == "models" ? 1U : 0U);
+  }
+}
+
 }  // namespace
 }  // namespace ros2wasm

@@ -49,6 +49,14 @@ TEST(LaunchPackages, NeedsTheSimulatorForGazebo) {
     EXPECT_EQ(names(text), std::vector<std::string>{}) << text;
 }
 
+TEST(LaunchPackages, ShowsTheProgramThatNeedsTheSimulator) {
+  const auto found = launch_packages("a\ncmd=['gzserver', 'a.world']", "a.launch.py");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].span.line, 2U);
+  EXPECT_EQ(found[0].span.column, 7U);
+  EXPECT_EQ(found[0].span.length, 8U);
+}
+
 TEST(LaunchPackages, TellsPlaces) {
   const auto found = launch_packages("\n  Node(package='turtlesim')\n", "a.launch.py");
   ASSERT_EQ(found.size(), 1U);

@@ -1,16 +1,12 @@
 """The server of Gazebo Classic."""
-from __future__ import annotations
-
 import os
-from collections.abc import Iterator
-from xml.etree import ElementTree
 
-from ament_index_python.packages import get_packages_with_prefixes
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, Shutdown
 from launch.conditions import IfCondition, UnlessCondition
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, PythonExpression
 from launch_ros.substitutions import FindPackageShare
+from ros2wasm_launch.gazebo_paths import exported_paths
 
 # Arguments that become a flag: their default, the flag and what it does.
 FLAGS = [
@@ -41,23 +37,8 @@ OPTIONS = [
 ]
 
 
-def exported(attribute: str) -> Iterator[str]:
-    """The folders that packages have for Gazebo: `<export><gazebo_ros ATTRIBUTE="${prefix}/models"/></export>`."""
-    for name, prefix in sorted(get_packages_with_prefixes().items()):
-        share = os.path.join(prefix, 'share', name)
-        try:
-            with open(os.path.join(share, 'package.xml'), encoding='utf-8') as file:
-                text = file.read()
-        except OSError:
-            continue  # a site has package.xml only where something is exported
-        if '<gazebo_ros ' in text:
-            for export in ElementTree.fromstring(text).iterfind('export/gazebo_ros'):
-                if attribute in export.attrib:
-                    yield export.attrib[attribute].replace('${prefix}', share)
-
-
 def search_path(attribute: str, variable: str) -> str:
-    return ':'.join([*exported(attribute), *filter(None, [os.environ.get(variable, '')])])
+    return ':'.join([*exported_paths(attribute), *filter(None, [os.environ.get(variable, '')])])
 
 
 def flag(name: str, words: str) -> PythonExpression:

@@ -12,7 +12,8 @@ constexpr const char* kUsage =
     "-stdin) -entity ENTITY_NAME\n"
     "                       [-reference_frame REFERENCE_FRAME] [-gazebo_namespace "
     "GAZEBO_NAMESPACE]\n"
-    "                       [-robot_namespace ROBOT_NAMESPACE] [-timeout TIMEOUT] [-unpause]\n"
+    "                       [-robot_namespace ROBOT_NAMESPACE] [-timeout TIMEOUT] [-pause] "
+    "[-unpause]\n"
     "                       [-wait ENTITY_NAME] [-spawn_service_timeout TIMEOUT] [-x X] [-y Y] "
     "[-z Z]\n"
     "                       [-R R] [-P P] [-Y Y] [-package_to_model] [-b]\n";

@@ -32,7 +32,7 @@ void Bridge::add(const BridgeArgument& argument) {
 
 void Bridge::add_topic(const BridgeEntry& entry) {
   const TypePair* const pair = find_type_pair(entry.ros_type, entry.gz_type);
-  const auto told = [&](const char* way, const std::string& from, const std::string& to) {
+  const auto report = [&](const char* way, const std::string& from, const std::string& to) {
     RCLCPP_INFO(get_logger(), "Creating %s Bridge: [%s -> %s] (Lazy %d)", way, from.c_str(),
                 to.c_str(), static_cast<int>(entry.is_lazy));
   };
@@ -40,14 +40,12 @@ void Bridge::add_topic(const BridgeEntry& entry) {
   const std::string gz = entry.gz_topic + " (" + entry.gz_type + ")";
   try {
     if (entry.direction != Direction::kRosToGz) {
-      told("GZ->ROS", gz, ros);
-      if (pair == nullptr) throw std::runtime_error("no such pair of types");
-      add_relay(entry, *pair, true);
+      report("GZ->ROS", gz, ros);
+      add_relay(entry, pair, true);
     }
     if (entry.direction != Direction::kGzToRos) {
-      told("ROS->GZ", ros, gz);
-      if (pair == nullptr) throw std::runtime_error("no such pair of types");
-      add_relay(entry, *pair, false);
+      report("ROS->GZ", ros, gz);
+      add_relay(entry, pair, false);
     }
   } catch (const std::exception&) {
     RCLCPP_WARN(get_logger(),
@@ -58,8 +56,9 @@ void Bridge::add_topic(const BridgeEntry& entry) {
   }
 }
 
-void Bridge::add_relay(const BridgeEntry& entry, const TypePair& pair, bool to_ros) {
-  if (to_ros && pair.conversion != nullptr && pair.begins_with_header && !clock_)
+void Bridge::add_relay(const BridgeEntry& entry, const TypePair* pair, bool to_ros) {
+  if (pair == nullptr) throw std::runtime_error("no such pair of types");
+  if (to_ros && pair->conversion != nullptr && pair->begins_with_header && !clock_)
     clock_ = create_subscription<rosgraph_msgs::msg::Clock>(
         ros2wasm_sim::hidden_name("/clock"), rclcpp::QoS(1).best_effort(),
         [this](const rosgraph_msgs::msg::Clock& message) { now_ = message.clock; });
@@ -67,7 +66,7 @@ void Bridge::add_relay(const BridgeEntry& entry, const TypePair& pair, bool to_r
   options.to_ros = to_ros;
   options.stamps_with_wall_time = get_parameter("override_timestamps_with_wall_time").as_bool();
   options.now = [this] { return now_; };
-  relays_.push_back(std::make_unique<Relay>(*this, entry, pair, std::move(options)));
+  relays_.push_back(std::make_unique<Relay>(*this, entry, *pair, std::move(options)));
 }
 
 void Bridge::add_service(const ServiceEntry& entry) {

@@ -20,7 +20,8 @@ class Bridge : public rclcpp::Node {
 
  private:
   void add_topic(const BridgeEntry& entry);
-  void add_relay(const BridgeEntry& entry, const TypePair& pair, bool to_ros);
+  /// Throws when `pair` is null, or when a topic cannot have its name.
+  void add_relay(const BridgeEntry& entry, const TypePair* pair, bool to_ros);
   void add_service(const ServiceEntry& entry);
   void read_config_file();
   /// Reads the file the first time, and looks after relays that are lazy.
@@ -34,7 +35,8 @@ class Bridge : public rclcpp::Node {
   rclcpp::TimerBase::SharedPtr heartbeat_;
 };
 
-/// The node with what stands in the command line, until it ends. Returns the exit code.
+/// Runs the node with the topics and services of the command line until it is stopped. Returns the
+/// exit code.
 int run_bridge(int argc, char** argv, bool needs_arguments);
 
 }  // namespace ros_gz_bridge

@@ -1,4 +1,5 @@
 // image_bridge: carries images of Gazebo to topics of ROS with the same names, as they are.
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,14 @@ class ImageBridge : public rclcpp::Node {
 }  // namespace ros_gz_image
 
 int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::cerr << "Carries images from topics of Gazebo to ROS.\n\n"
+                 "  image_bridge <topic> <topic> ..\n\n"
+                 "Example:\n"
+                 "  image_bridge /camera/image_raw"
+              << std::endl;
+    return -1;
+  }
   auto topics = rclcpp::init_and_remove_ros_arguments(argc, argv);
   if (!topics.empty()) topics.erase(topics.begin());
   rclcpp::spin(std::make_shared<ros_gz_image::ImageBridge>(topics));

@@ -2,7 +2,7 @@
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, LogError, Shutdown
 from launch.conditions import IfCondition, UnlessCondition
-from launch.substitutions import LaunchConfiguration, PythonExpression
+from launch.substitutions import AndSubstitution, EqualsSubstitution, LaunchConfiguration, NotSubstitution
 
 ARGUMENTS = [
     ('world_sdf_file', '', 'Path to the SDF world file'),
@@ -15,15 +15,11 @@ ARGUMENTS = [
 SERVER = ['gz', 'sim', '-r', '-s', '-v', '4', '--initial-sim-time', LaunchConfiguration('initial_sim_time')]
 
 
-def is_empty(*names: str) -> PythonExpression:
-    return PythonExpression([part for name in names for part in ('len("""', LaunchConfiguration(name), '""") + ')]
-                            + ['0 == 0'])
-
-
 def generate_launch_description() -> LaunchDescription:
-    has_no_file = is_empty('world_sdf_file')
-    has_nothing = is_empty('world_sdf_file', 'world_sdf_string')
-    only_text = PythonExpression([has_no_file, ' and not ', has_nothing])
+    has_no_file = EqualsSubstitution(LaunchConfiguration('world_sdf_file'), '')
+    has_no_text = EqualsSubstitution(LaunchConfiguration('world_sdf_string'), '')
+    has_nothing = AndSubstitution(has_no_file, has_no_text)
+    only_text = AndSubstitution(has_no_file, NotSubstitution(has_no_text))
     return LaunchDescription([
         *[DeclareLaunchArgument(name, default_value=value, description=text) for name, value, text in ARGUMENTS],
         LogError(msg='Must specify either world_sdf_file or world_sdf_string', condition=IfCondition(has_nothing)),

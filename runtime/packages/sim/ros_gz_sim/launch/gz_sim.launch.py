@@ -1,15 +1,9 @@
 """Gazebo Sim. With `-g` in its arguments only the client is asked for, which is the page."""
-from __future__ import annotations
-
-import os
-from collections.abc import Iterator
-from xml.etree import ElementTree
-
-from ament_index_python.packages import get_packages_with_prefixes
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, LogInfo, Shutdown
 from launch.conditions import IfCondition, UnlessCondition
-from launch.substitutions import EnvironmentVariable, LaunchConfiguration, PythonExpression
+from launch.substitutions import EnvironmentVariable, IfElseSubstitution, LaunchConfiguration, NotEqualsSubstitution
+from ros2wasm_launch.gazebo_paths import exported_paths
 
 ARGUMENTS = [
     ('gz_args', '', 'Arguments to be passed to Gazebo Sim'),
@@ -21,30 +15,16 @@ ARGUMENTS = [
 ]
 
 
-def exported(attribute: str) -> Iterator[str]:
-    """The folders that packages have for Gazebo: `<export><gazebo_ros ATTRIBUTE="${prefix}/models"/></export>`."""
-    for name, prefix in sorted(get_packages_with_prefixes().items()):
-        share = os.path.join(prefix, 'share', name)
-        try:
-            with open(os.path.join(share, 'package.xml'), encoding='utf-8') as file:
-                text = file.read()
-        except OSError:
-            continue  # a site has package.xml only where something is exported
-        if '<gazebo_ros ' in text:
-            for export in ElementTree.fromstring(text).iterfind('export/gazebo_ros'):
-                if attribute in export.attrib:
-                    yield export.attrib[attribute].replace('${prefix}', share)
-
-
-def is_given(name: str) -> PythonExpression:
-    return PythonExpression(['"" != "', LaunchConfiguration(name), '"'])
+def is_given(name: str) -> NotEqualsSubstitution:
+    return NotEqualsSubstitution(LaunchConfiguration(name), '')
 
 
 def generate_launch_description() -> LaunchDescription:
-    both = ('"', LaunchConfiguration('gz_args'), '"')
-    command = [['gz sim ', PythonExpression([*both, ' or "', LaunchConfiguration('ign_args'), '"']),
-                ' --force-version ', LaunchConfiguration('gz_version')]]
-    paths = {variable: [EnvironmentVariable(variable, default_value=''), *[f':{one}' for one in exported(attribute)]]
+    arguments = IfElseSubstitution(is_given('gz_args'), LaunchConfiguration('gz_args'),
+                                   LaunchConfiguration('ign_args'))
+    command = [['gz sim ', arguments, ' --force-version ', LaunchConfiguration('gz_version')]]
+    paths = {variable: [EnvironmentVariable(variable, default_value=''),
+                        *[f':{one}' for one in exported_paths(attribute)]]
              for variable, attribute in (('GZ_SIM_RESOURCE_PATH', 'gazebo_model_path'),
                                          ('GZ_SIM_SYSTEM_PLUGIN_PATH', 'plugin_path'))}
     # Any text asks for it, `false` too, as in ros_gz_sim.

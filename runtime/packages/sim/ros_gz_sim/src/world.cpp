@@ -1,6 +1,10 @@
 // See world.hpp.
 #include "world.hpp"
 
+#include <chrono>
+#include <future>
+#include <utility>
+
 #include "ros2wasm_sim/gz_names.hpp"
 #include "ros_gz_interfaces/srv/delete_entity.hpp"
 #include "ros_gz_interfaces/srv/spawn_entity.hpp"

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr std::string_view kEndOfName = " \t\r\n/>=<&'\"";
+constexpr std::size_t kMaxAttributes = 1000;
 
 void append_utf8(std::string& out, std::uint32_t code) {
   const auto put = [&out](std::uint32_t byte) { out += static_cast<char>(byte); };
@@ -63,7 +64,7 @@ class Reader {
       fail("the element " + elements_[open_.back()].name + " is not closed");
     }
     if (elements_.empty()) {
-      fail("there is no element");
+      fail("it has no element");
     }
     return std::move(elements_);
   }
@@ -110,7 +111,7 @@ class Reader {
       }
       const std::size_t end = raw.find(';');
       if (end == std::string_view::npos || end > 10) {
-        fail("& begins no entity");
+        fail("an & must be written as &amp;");
       }
       entity(raw.substr(1, end - 1), result);
       raw.remove_prefix(end + 1);
@@ -131,11 +132,11 @@ class Reader {
     const std::string_view allowed = is_hex ? "0123456789abcdefABCDEF" : "0123456789";
     if (word.substr(0, 1) != "#" || digits.empty() || digits.size() > 7 ||
         digits.find_first_not_of(allowed) != std::string_view::npos) {
-      fail("there is no entity " + std::string(word));
+      fail("the entity &" + std::string(word) + "; is not known");
     }
     const unsigned long code = std::stoul(std::string(digits), nullptr, is_hex ? 16 : 10);
     if (code == 0 || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) {
-      fail("there is no character " + std::string(word));
+      fail("&" + std::string(word) + "; is not a valid character");
     }
     append_utf8(out, static_cast<std::uint32_t>(code));
   }
@@ -189,6 +190,10 @@ class Reader {
     }
   }
   void attribute(XmlElement& element) {
+    // Each name is compared with all before it.
+    if (element.attributes.size() == kMaxAttributes) {
+      fail(element.name + " has more than " + std::to_string(kMaxAttributes) + " attributes");
+    }
     std::string key = name();
     if (element.attribute(key) != nullptr) {
       fail(element.name + " has two attributes " + key);
@@ -214,8 +219,12 @@ class Reader {
   void close() {
     const std::string closed = name();
     skip_space();
-    if (open_.empty() || elements_[open_.back()].name != closed || !skip(">")) {
-      fail("</" + closed + "> closes nothing");
+    if (open_.empty() || elements_[open_.back()].name != closed) {
+      fail("</" + closed + "> does not match the open element" +
+           (open_.empty() ? "" : " <" + elements_[open_.back()].name + ">"));
+    }
+    if (!skip(">")) {
+      fail("the tag </" + closed + " does not end");
     }
     open_.pop_back();
   }

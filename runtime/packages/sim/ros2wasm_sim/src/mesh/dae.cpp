@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <numbers>
 
 #include "ros2wasm_xml/xml_document.hpp"
 
@@ -15,12 +16,14 @@ namespace {
 using ros2wasm_xml::XmlDocument;
 using ros2wasm_xml::XmlElement;
 
-/// A row after the other; the last row is 0 0 0 1.
+/// Row by row; the last row is 0 0 0 1.
 using Matrix = std::array<double, 12>;
 constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
-/// Nodes of a scene, each time that it is placed: what a hostile file may ask for.
-constexpr int kMostNodes = 20'000;
+/// Limits for hostile files, which may place a node or geometry many times: how many are placed,
+/// and the bytes of number lists that are read for them.
+constexpr int kMostPlaced = 40'000;
+constexpr std::size_t kMostBytes = 500'000'000;
 
 Matrix product(const Matrix& a, const Matrix& b) {
   Matrix result{};
@@ -46,7 +49,7 @@ std::vector<double> numbers_of(const std::string& text) {
 Matrix rotation(double x, double y, double z, double degrees) {
   const double size = std::sqrt(x * x + y * y + z * z);
   if (size == 0) return kIdentity;
-  const double angle = degrees * 3.14159265358979323846 / 360;
+  const double angle = degrees * std::numbers::pi / 360;
   const double w = std::cos(angle), s = std::sin(angle) / size;
   x *= s;
   y *= s;
@@ -106,6 +109,12 @@ class Reader {
     Matrix matrix;
   };
 
+  /// The vertices of a source in the mesh.
+  struct Vertices {
+    int first = 0;
+    int count = 0;
+  };
+
   void remember(const XmlElement& element) {
     if (const std::string* id = element.attribute("id")) by_id_.emplace("#" + *id, &element);
   }
@@ -122,7 +131,7 @@ class Reader {
     while (!open.empty()) {
       const Placed one = open.back();
       open.pop_back();
-      if (++nodes_ > kMostNodes) return false;
+      if (++placed_ > kMostPlaced) return false;
       const Matrix matrix = product(one.matrix, transformation(document_, *one.node));
       for (const XmlElement* inner : document_.children(*one.node)) {
         if (inner->name == "node") open.push_back({inner, matrix});
@@ -139,19 +148,22 @@ class Reader {
   bool add_geometry(const XmlElement& geometry, const Matrix& matrix, TriangleMesh& mesh) {
     const XmlElement* inner = document_.child(geometry, "mesh");
     if (inner == nullptr) return true;
+    if (++placed_ > kMostPlaced) return false;
     std::map<std::string, const XmlElement*> parts;
     for (const XmlElement* part : document_.children(*inner))
       if (const std::string* id = part->attribute("id")) parts.emplace("#" + *id, part);
+    std::map<const XmlElement*, Vertices> added;
     for (const XmlElement* part : document_.children(*inner)) {
       const bool counts =
           part->name == "triangles" || part->name == "polylist" || part->name == "polygons";
-      if (counts && !add_faces(*part, parts, matrix, mesh)) return false;
+      if (counts && !add_faces(*part, parts, matrix, added, mesh)) return false;
     }
     return true;
   }
 
   bool add_faces(const XmlElement& faces, const std::map<std::string, const XmlElement*>& parts,
-                 const Matrix& matrix, TriangleMesh& mesh) {
+                 const Matrix& matrix, std::map<const XmlElement*, Vertices>& added,
+                 TriangleMesh& mesh) {
     std::size_t stride = 0, offset = 0;
     const XmlElement* source = nullptr;
     for (const XmlElement* input : document_.children(faces, "input")) {
@@ -165,10 +177,35 @@ class Reader {
       source = positions(*input, parts);
     }
     if (source == nullptr) return true;
-    const XmlElement* array = document_.child(*source, "float_array");
+    const auto [found, is_new] = added.try_emplace(source);
+    if (is_new && !add_vertices(*source, matrix, found->second, mesh)) return false;
+    const Vertices vertices = found->second;
+    const XmlElement* counts = document_.child(faces, "vcount");
+    bytes_ += counts == nullptr ? 0 : counts->text.size();
+    const std::vector<double> sizes =
+        counts == nullptr ? std::vector<double>() : numbers_of(counts->text);
+    for (const XmlElement* list : document_.children(faces, "p")) {
+      if ((bytes_ += list->text.size()) > kMostBytes) return false;
+      std::vector<int> corners;
+      const std::vector<double> indices = numbers_of(list->text);
+      for (std::size_t i = offset; i < indices.size(); i += stride) {
+        if (!(indices[i] >= 0) || indices[i] >= vertices.count) return false;
+        corners.push_back(vertices.first + static_cast<int>(indices[i]));
+      }
+      if (!add_polygons(faces.name, sizes, corners, mesh)) return false;
+    }
+    return bytes_ <= kMostBytes;
+  }
+
+  /// The positions of a source, which several lists of faces may share.
+  bool add_vertices(const XmlElement& source, const Matrix& matrix, Vertices& added,
+                    TriangleMesh& mesh) {
+    const XmlElement* array = document_.child(source, "float_array");
     if (array == nullptr) return true;
+    if ((bytes_ += array->text.size()) > kMostBytes) return false;
     const std::vector<double> values = numbers_of(array->text);
-    const int first = static_cast<int>(mesh.vertices.size() / 3);
+    added.first = static_cast<int>(mesh.vertices.size() / 3);
+    added.count = static_cast<int>(values.size() / 3);
     for (std::size_t i = 0; i + 2 < values.size(); i += 3)
       for (int row = 0; row < 3; ++row) {
         const double value = matrix[4 * row] * values[i] + matrix[4 * row + 1] * values[i + 1] +
@@ -176,21 +213,7 @@ class Reader {
         if (!std::isfinite(value)) return false;
         mesh.vertices.push_back(static_cast<float>(value));
       }
-    if (mesh.vertices.size() > 9 * most_) return false;
-    const XmlElement* counts = document_.child(faces, "vcount");
-    const std::vector<double> sizes =
-        counts == nullptr ? std::vector<double>() : numbers_of(counts->text);
-    for (const XmlElement* list : document_.children(faces, "p")) {
-      std::vector<int> corners;
-      const std::vector<double> indices = numbers_of(list->text);
-      for (std::size_t i = offset; i < indices.size(); i += stride) {
-        if (!(indices[i] >= 0) || indices[i] >= static_cast<double>(values.size() / 3))
-          return false;
-        corners.push_back(first + static_cast<int>(indices[i]));
-      }
-      if (!add_polygons(faces.name, sizes, corners, mesh)) return false;
-    }
-    return true;
+    return mesh.vertices.size() <= 9 * most_;
   }
 
   bool add_polygons(const std::string& kind, const std::vector<double>& sizes,
@@ -231,7 +254,8 @@ class Reader {
 
   const XmlDocument& document_;
   std::size_t most_;
-  int nodes_ = 0;
+  int placed_ = 0;
+  std::size_t bytes_ = 0;
   std::map<std::string, const XmlElement*> by_id_;
 };
 

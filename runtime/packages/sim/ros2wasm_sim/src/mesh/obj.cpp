@@ -37,7 +37,8 @@ bool add_vertex(Words& words, std::vector<float>& vertices) {
   return true;
 }
 
-/// `7`, `7/1`, `7/1/2`; negative numbers count from the end. -1 when there is no such vertex.
+/// The index of the vertex that `7`, `7/1` or `7/1/2` names. A negative number counts from the end.
+/// Returns -1 when the vertex does not exist.
 int vertex_of(std::string_view word, std::size_t count) {
   const long number = std::strtol(std::string(word).c_str(), nullptr, 10);
   const long index = number < 0 ? static_cast<long>(count) + number : number - 1;

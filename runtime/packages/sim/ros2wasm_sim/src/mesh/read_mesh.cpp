@@ -20,7 +20,7 @@ constexpr std::size_t kMostTriangles = 200'000;
 
 using ReadFile = std::optional<TriangleMesh> (*)(const std::string& bytes, std::size_t most);
 
-/// By the ending of the file's name. Null: no reader has it.
+/// The reader of a file name extension. Null when the extension is not supported.
 ReadFile reader_of(const std::string& path) {
   std::string ending = path.substr(path.rfind('.') + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -41,14 +41,14 @@ MeshReader site_meshes(const rclcpp::Logger& logger) {
     if (!is_new) return found->second;
     const ReadFile reader = reader_of(mesh.path);
     if (reader == nullptr) {
-      RCLCPP_WARN(logger, "mesh [%s] is skipped: STL, OBJ and COLLADA files are read",
+      RCLCPP_WARN(logger, "mesh [%s] is skipped: only STL, OBJ and COLLADA files are supported",
                   mesh.uri.c_str());
       return nullptr;
     }
     const auto bytes = site_resources().read(mesh.path);
     auto read = bytes ? reader(*bytes, kMostTriangles) : std::nullopt;
     if (!read) {
-      RCLCPP_ERROR(logger, "mesh [%s] is not a file of its kind with at most %zu triangles",
+      RCLCPP_ERROR(logger, "mesh [%s] cannot be read, or has more than %zu triangles",
                    mesh.uri.c_str(), kMostTriangles);
       return nullptr;
     }

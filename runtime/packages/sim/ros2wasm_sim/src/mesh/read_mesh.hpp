@@ -7,7 +7,7 @@
 
 namespace ros2wasm_sim {
 
-/// Reads files of the site, each once. It says what cannot be read.
+/// Reads files of the site, each once. Logs what cannot be read.
 MeshReader site_meshes(const rclcpp::Logger& logger);
 
 }  // namespace ros2wasm_sim

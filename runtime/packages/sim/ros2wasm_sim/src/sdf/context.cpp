@@ -21,10 +21,7 @@ constexpr int kMaxHints = 20;
 /// 10 of `<sdf version="1.10">`, or the default.
 int minor_version_of(const Source& source) {
   const std::string* version = source.document->root().attribute("version");
-  const std::size_t dot = version ? version->find('.') : std::string::npos;
-  const auto minor =
-      dot == std::string::npos ? std::nullopt : parse_number(version->substr(dot + 1));
-  return minor && *minor >= 0 && *minor < 1000 ? static_cast<int>(*minor) : Source().minor_version;
+  return parse_minor_version(version ? *version : "").value_or(Source().minor_version);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -38,6 +35,21 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 void Context::add_note(Severity severity, const Node& where, const std::string& text) {
+  Note note;
+  note.severity = severity;
+  note.text = text;
+  if (where.source != nullptr) {
+    note.file = where.source->file;
+  }
+  if (where.element != nullptr) {
+    note.line = where.element->line;
+    note.column = where.element->column;
+  }
+  add_note(std::move(note));
+}
+
+void Context::add_note(Note note) {
+  const Severity severity = note.severity;
   has_error_ = has_error_ || severity == Severity::kError;
   // An error that comes late is kept, since a value is missing exactly when there is one.
   const bool is_first_error = severity == Severity::kError &&
@@ -48,15 +60,8 @@ void Context::add_note(Severity severity, const Node& where, const std::string& 
     ++unsaid_;
     return;
   }
-  Note note;
-  note.severity = severity;
-  note.text = text.size() > kMaxNoteLength ? text.substr(0, kMaxNoteLength) + "..." : text;
-  if (where.source != nullptr) {
-    note.file = where.source->file;
-  }
-  if (where.element != nullptr) {
-    note.line = where.element->line;
-    note.column = where.element->column;
+  if (note.text.size() > kMaxNoteLength) {
+    note.text = note.text.substr(0, kMaxNoteLength) + "...";
   }
   notes_.push_back(std::move(note));
 }
@@ -111,8 +116,7 @@ const Source* Context::parse(const std::string& text, const std::string& file,
     note.file = file;
     note.line = fault.line();
     note.text = "the text is not XML: " + fault.reason();
-    notes_.push_back(std::move(note));
-    has_error_ = true;
+    add_note(std::move(note));
     return nullptr;
   }
 }

@@ -40,7 +40,7 @@ class Context {
 
   void error(const Node& where, const std::string& text);
   void warning(const Node& where, const std::string& text);
-  /// Nothing when a warning with this text was given before.
+  /// Does nothing when a warning with this text was given before.
   void warning_once(const Node& where, const std::string& text);
   bool has_error() const { return has_error_; }
   std::vector<Note> take_notes();
@@ -56,8 +56,8 @@ class Context {
   /// As parse(), of a file that was found. The same file is read only once.
   const Source* open(const std::string& path, const Node& where);
 
-  /// The file of a URI of a mesh, texture or model; empty, with a warning that has `what`, when
-  /// there is none.
+  /// The file of a URI of a mesh, texture or model. Empty when it is not found; the warning then
+  /// begins with `what`, and is given once for a URI.
   std::string find(const std::string& uri, const Node& where, const std::string& what);
   std::optional<std::string> find_quietly(const std::string& uri) const;
   std::optional<std::string> read(const std::string& path) const;
@@ -70,6 +70,7 @@ class Context {
   std::vector<std::string> open_files;
 
  private:
+  void add_note(Note note);
   void add_note(Severity severity, const Node& where, const std::string& text);
 
   const Resources& resources_;

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace ros2wasm_sim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using Matrix3 = std::array<Vector3, 3>;  ///< rows
 
@@ -48,13 +47,13 @@ Inertial solid_box(const Vector3& size, double density) {
 }
 
 Inertial solid_cylinder(double radius, double length, double density) {
-  const double mass = density * kPi * radius * radius * length;
+  const double mass = density * std::numbers::pi * radius * radius * length;
   const double across = mass * (3 * radius * radius + length * length) / 12;
   return body_of(mass, across, across, mass * radius * radius / 2);
 }
 
 Inertial solid_ellipsoid(const Vector3& radii, double density) {
-  const double mass = density * 4 / 3 * kPi * radii.x * radii.y * radii.z;
+  const double mass = density * 4 / 3 * std::numbers::pi * radii.x * radii.y * radii.z;
   const double x = radii.x * radii.x, y = radii.y * radii.y, z = radii.z * radii.z;
   return body_of(mass, mass * (y + z) / 5, mass * (x + z) / 5, mass * (x + y) / 5);
 }
@@ -62,7 +61,7 @@ Inertial solid_ellipsoid(const Vector3& radii, double density) {
 /// A cylinder and two half spheres, whose centres of mass are 3/8 of the radius from its ends.
 Inertial solid_capsule(double radius, double length, double density) {
   const Inertial cylinder = solid_cylinder(radius, length, density);
-  const double sphere = density * 4 / 3 * kPi * radius * radius * radius;
+  const double sphere = density * 4 / 3 * std::numbers::pi * radius * radius * radius;
   const double r2 = radius * radius;
   const double across =
       sphere * (2 * r2 / 5 + length * length / 4 + 3 * length * radius / 8) + cylinder.ixx;

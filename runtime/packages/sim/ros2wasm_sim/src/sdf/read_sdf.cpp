@@ -12,8 +12,6 @@
 namespace ros2wasm_sim {
 namespace {
 
-constexpr int kNewestMinorVersion = 12;
-
 template <typename T>
 Reading<T> finished(Context& context, std::optional<T> value) {
   Reading<T> result;
@@ -65,8 +63,7 @@ Model model_of_light(Light light, const Pose& pose) {
 Pose pose_alone(Context& context, const RawPose& pose) {
   if (!pose.relative_to.empty() && pose.relative_to != "world") {
     context.warning(pose.where,
-                    "`relative_to` of a model that is spawned does not count: its "
-                    "pose is in the world");
+                    "`relative_to` of a spawned model is ignored: its pose is in the world");
   }
   return pose.pose;
 }

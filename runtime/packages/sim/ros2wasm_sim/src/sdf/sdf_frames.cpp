@@ -4,8 +4,26 @@
 #include <algorithm>
 
 namespace ros2wasm_sim {
+namespace {
+
+/// The name in the scope of a joint that shares its name with a link.
+std::string joint_key(const std::string& name) {
+  return "joint " + name;
+}
+
+}  // namespace
+
+bool Scope::shares_its_name(const Entry& entry) const {
+  const auto found = index_.find(entry.name);
+  return found != index_.end() && entry.kind == Kind::kJoint &&
+         entries_[found->second].kind != Kind::kJoint && entry.where &&
+         entry.where.source->minor_version < 7;
+}
 
 void Scope::add(Context& context, Entry entry) {
+  if (shares_its_name(entry)) {
+    entry.name = joint_key(entry.name);
+  }
   const bool is_new = index_.emplace(entry.name, entries_.size()).second;
   if (!is_new || entry.name == root_ || entry.name == "world") {
     context.error(entry.where, "the name `" + entry.name + "` is " +
@@ -41,7 +59,7 @@ Scope::Dependency Scope::depends_on(const std::string& name) const {
 }
 
 void Scope::report_unknown(Context& context, const std::string& name, const Node& where) const {
-  context.error(where, "there is no frame, link, joint or model `" + name + "` here" +
+  context.error(where, "frame `" + name + "` is not defined in this scope" +
                            context.hint(name, [this] { return names(); }));
 }
 
@@ -157,6 +175,11 @@ std::optional<Place> Scope::find(const std::string& name) const {
   const Place& outer = places_[dependency.entry];
   return Place{outer.pose * dependency.inside.pose,
                dependency.inside.link.empty() ? outer.link : dependency.inside.link};
+}
+
+std::optional<Place> Scope::find_joint(const std::string& name) const {
+  const std::string key = joint_key(name);
+  return find(has(key) ? key : name);
 }
 
 Place Scope::place(Context& context, const std::string& name, const Node& where) const {

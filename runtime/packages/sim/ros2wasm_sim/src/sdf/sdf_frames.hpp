@@ -35,15 +35,18 @@ class Scope {
   /// `__model__` or `world`.
   explicit Scope(std::string root) : root_(std::move(root)) {}
 
-  /// An error when the name is there already.
+  /// Adds a name, or reports an error when it is used already. Before SDF 1.7 a joint may have the
+  /// name of a link: find() then finds the link, and find_joint() the joint.
   void add(Context& context, Entry entry);
-  /// Finds the place of all names, or reports why there is none: it is then that of the root.
+  /// Finds the places of all names. A name whose place cannot be found is reported, and gets the
+  /// place of the root.
   /// `canonical_link` is the link that the root of a model moves with.
   void resolve(Context& context, const std::string& canonical_link);
 
   /// After resolve(). The root has an empty or its own name.
   std::optional<Place> find(const std::string& name) const;
-  /// As find(), but an error with the nearest name, and the root, when there is no such name.
+  std::optional<Place> find_joint(const std::string& name) const;
+  /// Like find(), but reports an unknown name as an error and then returns the root.
   Place place(Context& context, const std::string& name, const Node& where) const;
   /// A pose that is relative to `by_default` unless it says otherwise, in the root.
   Pose pose_in_root(Context& context, const RawPose& pose, const std::string& by_default) const;
@@ -61,6 +64,7 @@ class Scope {
     std::size_t entry = 0;
     Place inside;  ///< in the root of an inner model
   };
+  bool shares_its_name(const Entry& entry) const;
   Dependency depends_on(const std::string& name) const;
   bool is_root(const std::string& name) const { return name.empty() || name == root_; }
   std::vector<Dependency> pose_dependencies(Context& context) const;

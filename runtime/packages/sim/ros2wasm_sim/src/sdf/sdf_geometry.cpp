@@ -40,6 +40,10 @@ Geometry read_mesh(Context& context, const Node& shape) {
   Mesh mesh = locate_mesh(context, uri, text_of(uri));
   mesh.scale = vector3(context, shape, "scale", mesh.scale);
   mesh.submesh = text_of(descend(shape, {"submesh", "name"}));
+  if (!mesh.submesh.empty()) {
+    context.warning_once(child(shape, "submesh"),
+                         "<submesh> is not supported, so the whole mesh is used");
+  }
   mesh.center_submesh = boolean(context, child(shape, "submesh"), "center", false);
   return mesh;
 }
@@ -102,7 +106,7 @@ std::uint32_t bitmask(Context& context, const Node& contact, const std::string& 
   const char* allowed = is_hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
   if (digits.empty() || digits.size() > 10 ||
       digits.find_first_not_of(allowed) != std::string::npos) {
-    context.error(node, "<" + name + "> is not a number of 32 bits");
+    context.error(node, "<" + name + "> is not a 32-bit number, such as 0x01 or 65535");
     return value;
   }
   const unsigned long long bits = std::stoull(digits, nullptr, is_hexadecimal ? 16 : 10);

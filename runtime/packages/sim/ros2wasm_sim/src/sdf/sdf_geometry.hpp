@@ -11,7 +11,7 @@ Geometry read_geometry(Context& context, const Node& parent);
 /// Changes what a <surface> has of it.
 void read_surface(Context& context, const Node& surface, Surface& value);
 
-/// A mesh by its URI; the warning when there is no such file is given here.
+/// Finds the file of a mesh by its URI. Warns when it does not exist.
 Mesh locate_mesh(Context& context, const Node& where, const std::string& uri);
 
 }  // namespace ros2wasm_sim

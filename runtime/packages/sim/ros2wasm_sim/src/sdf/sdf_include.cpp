@@ -8,8 +8,6 @@
 namespace ros2wasm_sim {
 namespace {
 
-constexpr int kNewestMinorVersion = 12;
-
 /// The file that a `model.config` names: that of the newest version that can be read.
 std::string file_in_folder(Context& context, const std::string& folder, const Node& where) {
   for (const char* name : {"/model.config", "/manifest.xml"}) {
@@ -23,13 +21,9 @@ std::string file_in_folder(Context& context, const std::string& folder, const No
     std::string best;
     int best_version = -1;
     for (const Node& sdf : children({config, &config->document->root()}, "sdf")) {
-      const std::string version = attribute(sdf, "version");
-      const std::size_t dot = version.find('.');
-      const auto minor =
-          dot == std::string::npos ? std::nullopt : parse_number(version.substr(dot + 1));
-      const double number = minor.value_or(0);
-      if (number > best_version && number <= kNewestMinorVersion && !text_of(sdf).empty()) {
-        best_version = static_cast<int>(number);
+      const int version = parse_minor_version(attribute(sdf, "version")).value_or(0);
+      if (version > best_version && version <= kNewestMinorVersion && !text_of(sdf).empty()) {
+        best_version = version;
         best = text_of(sdf);
       }
     }
@@ -43,7 +37,7 @@ std::string file_in_folder(Context& context, const std::string& folder, const No
   return context.read(folder + "/model.sdf") ? folder + "/model.sdf" : folder;
 }
 
-/// The text that an <include> asks for; null with a note when there is none.
+/// The text that an <include> asks for; null with a note when it is not found.
 const Source* included_source(Context& context, const Node& uri_node, const std::string& uri) {
   const char* built_in = built_in_model(uri);
   if (built_in != nullptr) {
@@ -57,12 +51,18 @@ const Source* included_source(Context& context, const Node& uri_node, const std:
   if (found.empty()) {
     return nullptr;
   }
-  return context.open(file_in_folder(context, found, uri_node), uri_node);
+  const std::string file = file_in_folder(context, found, uri_node);
+  if (file == found && !context.read(file)) {
+    context.error(uri_node, "the model " + uri + " cannot be read: " + found +
+                                " is not a file, and has no model.config and no model.sdf");
+    return nullptr;
+  }
+  return file.empty() ? nullptr : context.open(file, uri_node);
 }
 
 ModelChanges changes_of(Context& context, const Node& node) {
   ModelChanges changes;
-  changes.name = text_of(node, "name");
+  changes.name = checked_name(context, node, text_of(node, "name"));
   const RawPose pose = raw_pose(context, node);
   if (pose.where) {
     changes.pose = pose;

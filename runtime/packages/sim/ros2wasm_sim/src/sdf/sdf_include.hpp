@@ -5,7 +5,7 @@
 
 namespace ros2wasm_sim {
 
-/// A model or a light, or none of both when it was not found, which was reported.
+/// A model, or a light, or neither when it was not found; a note then says so.
 struct Included {
   std::optional<ScopedModel> model;
   std::optional<Light> light;

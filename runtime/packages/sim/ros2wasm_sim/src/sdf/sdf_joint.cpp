@@ -1,8 +1,8 @@
 // See sdf_joint.hpp.
 #include "sdf/sdf_joint.hpp"
 
-#include <cmath>
 #include <map>
+#include <numbers>
 #include <unordered_set>
 
 #include "sdf/sdf_link.hpp"
@@ -10,7 +10,6 @@
 namespace ros2wasm_sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Old files write this for a limit that is not there.
 constexpr double kNoLimit = 1e16;
 
@@ -119,11 +118,11 @@ std::string link_named(Context& context, const Node& joint, const std::string& n
   return place->link;
 }
 
-/// Metres of a turn. Before 1.10 it was given as radians of a metre, left-handed.
+/// In metres per turn. Before SDF 1.10 it was in radians per metre, left-handed.
 double read_thread_pitch(Context& context, const Node& joint) {
   const double modern = number(context, joint, "screw_thread_pitch", 1);
   const double old = number(context, joint, "thread_pitch", 0);
-  return child(joint, "screw_thread_pitch") || old == 0 ? modern : -2 * kPi / old;
+  return child(joint, "screw_thread_pitch") || old == 0 ? modern : -2 * std::numbers::pi / old;
 }
 
 }  // namespace
@@ -150,7 +149,9 @@ std::optional<Joint> read_joint(Context& context, const Node& node, const Scope&
     if (type == "gearbox") {
       context.warning(node, what + ", which is not supported, and is skipped");
     } else {
-      context.error(node, what + ", which does not exist");
+      context.error(node, what +
+                              ", which does not exist: types are fixed, revolute, continuous, "
+                              "prismatic, ball, universal, revolute2 and screw");
     }
     return std::nullopt;
   }
@@ -167,7 +168,7 @@ std::optional<Joint> read_joint(Context& context, const Node& node, const Scope&
         node, "the joint `" + joint.name + "` connects the link `" + joint.child + "` to itself");
     return std::nullopt;
   }
-  const Pose in_model = scope.place(context, joint.name, node).pose;
+  const Pose in_model = scope.find_joint(joint.name).value_or(Place{}).pose;
   joint.pose = inverse(scope.place(context, joint.child, node).pose) * in_model;
   const char* const names[] = {"axis", "axis2"};
   for (std::size_t i = 0; i < count_of_axes(joint.type); ++i) {
@@ -185,26 +186,29 @@ std::optional<Joint> read_joint(Context& context, const Node& node, const Scope&
   return joint;
 }
 
-void check_mimics(Context& context, const Node& model, const std::vector<Joint>& joints) {
+void check_mimics(Context& context, const std::vector<Node>& nodes,
+                  const std::vector<Joint>& joints) {
   std::unordered_set<std::string> names;
   for (const Joint& joint : joints) {
     names.insert(joint.name);
   }
-  for (const Joint& joint : joints) {
-    for (const JointAxis& axis : joint.axes) {
-      if (!axis.mimic || (names.count(axis.mimic->joint) != 0 && axis.mimic->joint != joint.name)) {
+  const auto all = [&joints] {
+    std::vector<std::string> result;
+    for (const Joint& one : joints) {
+      result.push_back(one.name);
+    }
+    return result;
+  };
+  for (const Node& node : nodes) {
+    const std::string joint = attribute(node, "name");
+    for (const char* axis : {"axis", "axis2"}) {
+      const Node mimic = descend(node, {axis, "mimic"});
+      const std::string other = attribute(mimic, "joint");
+      if (other.empty() || (names.count(other) != 0 && other != joint)) {
         continue;
       }
-      const auto all = [&joints] {
-        std::vector<std::string> result;
-        for (const Joint& one : joints) {
-          result.push_back(one.name);
-        }
-        return result;
-      };
-      context.error(model, "the joint `" + joint.name + "` mimics the joint `" + axis.mimic->joint +
-                               "`, which does not exist or is itself" +
-                               context.hint(axis.mimic->joint, all));
+      context.error(mimic, "the joint `" + joint + "` mimics the joint `" + other +
+                               "`, which does not exist or is itself" + context.hint(other, all));
     }
   }
 }

@@ -153,9 +153,9 @@ void check_inertial(Context& context, const Node& where, const std::string& link
   if (!(inertial.mass > 0)) {
     context.error(where, "the mass of the link `" + link + "` must be greater than 0");
   } else if (!is_possible(inertial)) {
-    context.warning(where, "no body has the moments of inertia of the link `" + link +
-                               "`: each must be greater than 0 and at most the sum of the other "
-                               "two, so the link may move in a strange way");
+    context.warning(where, "the moments of inertia of the link `" + link +
+                               "` are not possible: each must be greater than 0 and at most the "
+                               "sum of the other two. The link may move in a strange way");
   }
 }
 

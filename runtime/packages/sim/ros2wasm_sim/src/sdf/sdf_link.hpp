@@ -12,14 +12,14 @@ Link read_link(Context& context, const Node& node, const Scope& scope, bool is_s
 /// `link` names the link that the sensor or light is in, `pose` is that of the link in its model.
 Sensor read_sensor(Context& context, const Node& node, const Scope& scope, const std::string& link,
                    const Pose& pose);
-/// Its pose is the one as written.
+/// The caller sets its pose.
 Light read_light(Context& context, const Node& node);
 Plugin read_plugin(Context& context, const Node& node);
 
-/// Changes what a <visual> or <collision> has besides its geometry and pose.
+/// Reads what a <visual> has besides its geometry and pose.
 void read_visual_properties(Context& context, const Node& node, Visual& visual);
 
-/// A warning when a moving body cannot have this mass and these moments.
+/// Checks a link that moves: a mass of 0 is an error, impossible moments are a warning.
 void check_inertial(Context& context, const Node& where, const std::string& link,
                     const Inertial& inertial);
 

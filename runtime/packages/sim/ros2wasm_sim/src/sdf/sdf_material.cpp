@@ -113,7 +113,7 @@ Material named_material(Context& context, const Node& where, const std::string& 
       return result;
     }
   }
-  context.warning_once(where, "there is no material `" + name + "`, so its visuals are grey");
+  context.warning_once(where, "material `" + name + "` is not known, so its visuals are grey");
   return Material();
 }
 

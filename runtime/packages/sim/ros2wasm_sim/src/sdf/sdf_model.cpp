@@ -245,7 +245,7 @@ void ModelReader::read_parts() {
       model_.joints.push_back(std::move(*value));
     }
   }
-  check_mimics(context_, node_, model_.joints);
+  check_mimics(context_, joints_, model_.joints);
   const auto add_frame = [this](const std::string& name) {
     const std::optional<Place> place = scope_->find(name);
     const std::optional<Place> link = place ? scope_->find(place->link) : std::nullopt;

@@ -1,4 +1,4 @@
-// Fixed joints of a URDF are no joints of a model: what is in the child becomes part of the parent.
+// Lumping of fixed joints: the child of a fixed joint of a URDF becomes part of its parent link.
 #pragma once
 
 #include <unordered_map>

@@ -46,7 +46,9 @@ Geometry urdf_geometry(Context& context, const Node& parent) {
     return Capsule{positive("radius"), positive("length")};
   }
   if (name != "mesh") {
-    context.error(shape, "there is no shape <" + name + "> in URDF");
+    context.error(
+        shape, "<" + name +
+                   "> is not a shape of URDF: shapes are box, cylinder, sphere, capsule and mesh");
     return NoGeometry{};
   }
   const std::string uri = trimmed(attribute(shape, "filename"));

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace ros2wasm_sim {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n\f\v";
 constexpr double kMaxFinite = 1e15;
-constexpr double kPi = 3.14159265358979323846;
+/// Names of nested models and lumped links are put together, so a long one would be repeated often.
+constexpr std::size_t kMaxNameLength = 500;
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -113,6 +115,14 @@ std::optional<double> parse_number(std::string_view text) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
   return end == word.c_str() + word.size() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<int> parse_minor_version(std::string_view version) {
+  const std::size_t dot = version.find('.');
+  const auto minor =
+      dot == std::string_view::npos ? std::nullopt : parse_number(version.substr(dot + 1));
+  return minor && *minor >= 0 && *minor < 1000 ? std::optional(static_cast<int>(*minor))
+                                               : std::nullopt;
 }
 
 std::optional<double> checked_number(Context& context, const Node& where, const std::string& text,
@@ -241,11 +251,20 @@ RawPose raw_pose(Context& context, const Node& parent) {
     result.pose.orientation = normalized(q);
   } else {
     const std::string degrees = lower(attribute(node, "degrees"));
-    const double unit = degrees == "true" || degrees == "1" ? kPi / 180 : 1;
+    const double unit = degrees == "true" || degrees == "1" ? std::numbers::pi / 180 : 1;
     result.pose.orientation = from_roll_pitch_yaw(n[3] * unit, n[4] * unit, n[5] * unit);
   }
   result.pose.position = {n[0], n[1], n[2]};
   return result;
+}
+
+std::string checked_name(Context& context, const Node& where, const std::string& name) {
+  if (name.size() > kMaxNameLength) {
+    context.error(where, "the name " + shown(name) + " has more than " +
+                             std::to_string(kMaxNameLength) + " bytes");
+    return "";
+  }
+  return name;
 }
 
 std::string required_name(Context& context, const Node& node) {
@@ -253,7 +272,7 @@ std::string required_name(Context& context, const Node& node) {
   if (name.empty()) {
     context.error(node, tag(node) + " needs the attribute `name`");
   }
-  return name;
+  return checked_name(context, node, name);
 }
 
 }  // namespace ros2wasm_sim

@@ -17,7 +17,7 @@ Node child(const Node& of, const std::string& name);
 Node descend(Node of, std::initializer_list<const char*> names);
 /// The children with a name, or all of them.
 std::vector<Node> children(const Node& of, const std::string& name = "");
-/// The text without the space around it; empty when there is no element.
+/// The text without the space around it; empty for no element.
 std::string text_of(const Node& node);
 std::string text_of(const Node& parent, const std::string& name);
 /// The value, or nothing.
@@ -28,8 +28,12 @@ XmlView view_of(const Node& node);
 /// Words between spaces.
 std::vector<std::string_view> words_of(std::string_view text);
 std::string trimmed(std::string_view text);
-/// A decimal number, `inf` or `nan`; nothing for other text. Not of the locale.
+/// A decimal number, `inf` or `nan`; nothing for other text.
 std::optional<double> parse_number(std::string_view text);
+
+/// 10 of `1.10`, or nothing.
+std::optional<int> parse_minor_version(std::string_view version);
+constexpr int kNewestMinorVersion = 12;
 
 enum class Range {
   kAny,          ///< infinity too
@@ -49,7 +53,7 @@ Vector3 vector3(Context& context, const Node& parent, const std::string& name, c
                 Range range = Range::kFinite);
 /// A colour of three or four values from 0 to 1.
 Color color(Context& context, const Node& parent, const std::string& name, const Color& value);
-/// Three numbers of the text `words`, or nothing with an error.
+/// `count` numbers of a text, or nothing with an error.
 std::optional<std::vector<double>> numbers(Context& context, const Node& where,
                                            std::string_view text, std::size_t count,
                                            const std::string& what, Range range);
@@ -62,7 +66,10 @@ struct RawPose {
 };
 RawPose raw_pose(Context& context, const Node& parent);
 
-/// The attribute `name` of an element that must have one; empty with an error otherwise.
+/// The name, or empty with an error when it is too long.
+std::string checked_name(Context& context, const Node& where, const std::string& name);
+/// The attribute `name` of an element that must have one; empty with an error when it is
+/// missing or too long.
 std::string required_name(Context& context, const Node& node);
 
 }  // namespace ros2wasm_sim

@@ -10,7 +10,7 @@
 
 namespace ros2wasm_xml {
 
-/// A text that is not an XML, with the line where it stops being so.
+/// A text that is not valid XML, with the line of the mistake.
 class XmlError : public std::runtime_error {
  public:
   XmlError(const std::string& reason, std::size_t line)

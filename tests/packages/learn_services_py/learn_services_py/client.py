@@ -53,8 +53,9 @@ def main():
     another.ask_in_a_timer()
     executor = MultiThreadedExecutor()
     executor.add_node(another)
+    # With a limit: when the callback ends, there may be nothing left that would end a turn without one.
     while not another.done:
-        executor.spin_once()
+        executor.spin_once(timeout_sec=0.1)
     executor.shutdown()
     another.destroy_node()
     rclpy.shutdown()

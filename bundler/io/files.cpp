@@ -71,6 +71,14 @@ void make_removable(const fs::path& path) {
   }
 }
 
+/// Somebody else removed it after its name was read: then it is not part of the tree.
+bool is_gone(const fs::file_status& status, std::error_code& error) {
+  const bool gone =
+      status.type() == fs::file_type::not_found || error == std::errc::no_such_file_or_directory;
+  if (gone) error.clear();
+  return gone;
+}
+
 }  // namespace
 
 Diagnostic cannot_read(const fs::path& path, std::string reason) {
@@ -199,6 +207,7 @@ Outcome<std::vector<TreeEntry>> list_tree(const fs::path& root) {
     const fs::path& path = it->path();
     TreeEntry entry{.path = path.lexically_relative(root).generic_string()};
     const fs::file_status status = it->symlink_status(error);
+    if (is_gone(status, error)) continue;
     if (error) return cannot_read(path, error.value());
     switch (status.type()) {
       case fs::file_type::directory:
@@ -217,6 +226,7 @@ Outcome<std::vector<TreeEntry>> list_tree(const fs::path& root) {
       default:
         entry.kind = FileKind::kOther;
     }
+    if (is_gone(status, error)) continue;
     if (error) return cannot_read(path, error.value());
     entries.push_back(std::move(entry));
   }

@@ -62,7 +62,7 @@ struct TreeEntry {
 };
 
 /// All files, links and other things below `root` (directories only when empty), sorted by path as
-/// bytes. Links are not followed. R2W0210.
+/// bytes. Links are not followed. What somebody else removes meanwhile is not listed. R2W0210.
 [[nodiscard]] Outcome<std::vector<TreeEntry>> list_tree(const std::filesystem::path& root);
 
 /// The real path of `path`, with all links followed; nothing when that is not in `root` or nothing

@@ -96,9 +96,13 @@ async function holdAndStep(program: keyof typeof ways, broker: SharedBroker | Po
       if (found !== undefined) return found;
       const state = session.nodes()[0]?.state;
       assert.ok(state?.kind !== 'crashed' && state?.kind !== 'exited', `${String(line)} in ${JSON.stringify([state, said])}`);
-      await new Promise<void>((resolveHeard) => {
+      // It gives up before the test's own limit, as the session would not be closed then, and the file would not end.
+      let limit: NodeJS.Timeout | undefined;
+      await new Promise<void>((resolveHeard, reject) => {
         heard = resolveHeard;
+        limit = setTimeout(() => reject(new Error(`${String(line)} was not said within a minute: ${JSON.stringify([state, said])}`)), 60_000);
       });
+      clearTimeout(limit);
     }
   };
   try {

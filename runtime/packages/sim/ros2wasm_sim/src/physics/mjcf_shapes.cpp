@@ -54,6 +54,25 @@ bool has_size(const Geometry& geometry) {
   return true;
 }
 
+/// ` name="d7"` of a shape whose friction has a direction, which is noted; nothing for others.
+std::string direct(const Collision& shape, const Link& link, Mjcf& mjcf) {
+  const Surface& surface = shape.surface;
+  const double size = length(surface.fdir1);
+  if (size < 1e-9 || surface.mu == surface.mu2) return {};
+  DirectedShape one;
+  one.body = static_cast<int>(mjcf.names.link_names.size()) - 1;
+  one.mu = friction_of(surface);
+  one.mu2 = std::clamp(surface.mu2, 0.0, kMostFriction);
+  one.direction = 1 / size * surface.fdir1;
+  one.frame = surface.fdir1_frame;
+  if (one.frame.empty()) {
+    one.frame = link.name;
+    one.direction = rotate(shape.pose.orientation, one.direction);
+  }
+  mjcf.names.directed.push_back(one);
+  return " name=\"d" + std::to_string(mjcf.names.directed.size() - 1) + "\"";
+}
+
 std::string bits(std::uint32_t type, std::uint32_t affinity) {
   return " contype=\"" + std::to_string(static_cast<std::int32_t>(type)) + "\" conaffinity=\"" +
          std::to_string(static_cast<std::int32_t>(affinity)) + "\"";
@@ -107,7 +126,8 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
                         int group, const std::string& more = {}) {
     const double mu = friction_of(shape.surface);
-    return "<geom" + form + bits(type, affinity) + " group=\"" + std::to_string(group) +
+    const std::string name = direct(shape, link, mjcf);
+    return "<geom" + name + form + bits(type, affinity) + " group=\"" + std::to_string(group) +
            "\" priority=\"" + std::to_string(priority(mu)) + "\" friction=\"" + number(mu) +
            " .005 .0001\"" + more + "/>\n";
   };

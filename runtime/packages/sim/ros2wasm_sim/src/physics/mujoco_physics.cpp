@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "physics/mjcf.hpp"
+#include "physics/mujoco_friction.hpp"
 #include "physics/mujoco_model.hpp"
+#include "physics/mujoco_welds.hpp"
 #include "physics/physics.hpp"
 
 namespace ros2wasm_sim {
@@ -57,6 +59,7 @@ struct JointRow {
   Motor motor = {};
   double base_friction = 0;  ///< that the world gives
   double effort = 0;         ///< of the last step
+  double effort_limit = kInfinity;
 };
 
 struct LinkRow {
@@ -119,7 +122,7 @@ class MujocoPhysics final : public Physics {
       row.effort = 0;
     }
     apply_motors();
-    mj_forward(model_.get(), data_.get());
+    refresh();
   }
 
   LinkHandle link(const std::string& model, const std::string& link) override {
@@ -180,12 +183,67 @@ class MujocoPhysics final : public Physics {
       apply_motor(*row);
     }
   }
+  void release_motor(JointHandle joint) override {
+    if (JointRow* row = row_of(joint)) {
+      row->motor = {};
+      apply_motor(*row);
+    }
+  }
   void set_position(JointHandle joint, double position) override {
     JointRow* row = row_of(joint);
     if (row == nullptr || row->dof < 0) return;
     data_->qpos[row->position] = position;
     data_->qvel[row->dof] = 0;
     mj_kinematics(model_.get(), data_.get());
+    is_moved_ = true;
+  }
+  void set_velocity(JointHandle joint, double velocity) override {
+    JointRow* row = row_of(joint);
+    if (row == nullptr || row->dof < 0) return;
+    data_->qvel[row->dof] = velocity;
+    mj_fwdVelocity(model_.get(), data_.get());
+  }
+  void add_effort(JointHandle joint, double effort) override {
+    JointRow* row = row_of(joint);
+    if (row == nullptr || row->dof < 0) return;
+    mjtNum& applied = data_->qfrc_applied[row->dof];
+    applied = std::clamp(applied + effort, -row->effort_limit, row->effort_limit);
+  }
+  double effort_limit(JointHandle joint) const override {
+    const JointRow* row = row_of(joint);
+    return row == nullptr ? kInfinity : row->effort_limit;
+  }
+
+  void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque,
+                  const Vector3& point) override {
+    const int body = body_of(link);
+    if (body < 0) return;
+    const Vector3 turning = torque + cross(point - centre_of_mass(link), force);
+    mjtNum* applied = data_->xfrc_applied + 6 * body;
+    put(vector(applied) + force, applied);
+    put(vector(applied + 3) + turning, applied + 3);
+  }
+  Vector3 centre_of_mass(LinkHandle link) const override {
+    const int body = body_of(link);
+    return body < 0 ? Vector3{} : vector(data_->xipos + 3 * body);
+  }
+
+  bool attach(LinkHandle parent, LinkHandle child) override {
+    if (body_of(parent) < 0 || body_of(child) < 0) return false;
+    detach(parent, child);
+    if (welds_.size() >= static_cast<std::size_t>(kSpareWelds)) return false;
+    welds_.push_back({parent, child, inverse(pose(parent)) * pose(child)});
+    apply_welds();
+    return true;
+  }
+  void detach(LinkHandle parent, LinkHandle child) override {
+    welds_.erase(std::remove_if(welds_.begin(), welds_.end(),
+                                [&](const Weld& one) {
+                                  return one.parent.index == parent.index &&
+                                         one.child.index == child.index;
+                                }),
+                 welds_.end());
+    apply_welds();
   }
 
   bool set_model_pose(const std::string& model, const Pose& pose, bool at_rest) override {
@@ -198,7 +256,7 @@ class MujocoPhysics final : public Physics {
       place_root(number, pose * offset, at_rest);
     }
     if (at_rest) rest_joints(model);
-    mj_forward(model_.get(), data_.get());
+    refresh();
     return true;
   }
 
@@ -215,6 +273,7 @@ class MujocoPhysics final : public Physics {
       put(rotate(inverse(turned), velocity.angular),
           speeds + 3);  // of free joints: in the body's axes
     }
+    mj_fwdVelocity(model_.get(), data_.get());
     return true;
   }
 
@@ -271,9 +330,42 @@ class MujocoPhysics final : public Physics {
     names_ = std::move(written.names);
     limits_ = limits;
     refresh_handles();
+    for (const Model& one : world.models)
+      for (const Joint& joint : one.joints)
+        if (!joint.axes.empty()) set_effort_limit(one.name, joint);
+    directions_ = friction_directions(*model_, names_);
     restore(state);
     apply_motors();
-    mj_forward(model_.get(), data_.get());
+    apply_welds();
+    refresh();
+  }
+
+  /// A limit that is negative is none.
+  void set_effort_limit(const std::string& model, const Joint& joint) {
+    const auto row = joint_rows_.find({model, joint.name});
+    const double limit = joint.axes.front().effort;
+    if (row != joint_rows_.end())
+      joints_[row->second].effort_limit = limit >= 0 ? limit : kInfinity;
+  }
+
+  /// All that follows from positions and velocities.
+  void refresh() {
+    is_moved_ = false;
+    begin_step(model_.get(), data_.get(), directions_);
+  }
+
+  /// The spare welds hold what is attached, as far as it is there.
+  void apply_welds() {
+    for (int i = 0; i < model_->neq; ++i)
+      if (model_->eq_type[i] == mjEQ_WELD) model_->eq_active[i] = 0;
+    std::size_t next = 0;
+    for (int i = 0; i < model_->neq && next < welds_.size(); ++i) {
+      if (model_->eq_type[i] != mjEQ_WELD) continue;
+      const Weld& weld = welds_[next++];
+      const int parent = body_of(weld.parent), child = body_of(weld.child);
+      if (parent >= 0 && child >= 0) hold(*model_, i, parent, child, weld.offset);
+    }
+    is_moved_ = true;
   }
 
   /// Without the meshes that the engine refuses, such as flat ones.
@@ -399,8 +491,9 @@ class MujocoPhysics final : public Physics {
   }
 
   /// The first half of MuJoCo's step comes last, so that poses, velocities and contacts are those
-  /// of the new state; mj_forward() has done it before the first step.
+  /// of the new state; refresh() has done it before the first step.
   void step_once() {
+    if (is_moved_) refresh();
     drive_motors();
     for (const int body : weightless_) {
       mjtNum* applied = data_->xfrc_applied + 6 * body;
@@ -409,7 +502,8 @@ class MujocoPhysics final : public Physics {
     mj_step2(model_.get(), data_.get());
     read_efforts();
     std::fill_n(data_->xfrc_applied, 6 * model_->nbody, 0.0);
-    mj_step1(model_.get(), data_.get());
+    std::fill_n(data_->qfrc_applied, model_->nv, 0.0);
+    begin_step(model_.get(), data_.get(), directions_);
   }
 
   /// The solver takes friction along a joint as a force, limited by `frictionloss`, that brings the
@@ -430,7 +524,7 @@ class MujocoPhysics final : public Physics {
     for (JointRow& joint : joints_) {
       if (joint.dof < 0) continue;
       const int row = joint.motor.on ? motor_rows_[joint.dof] : -1;
-      joint.effort = row >= 0 ? data_->efc_force[row] : 0;
+      joint.effort = (row >= 0 ? data_->efc_force[row] : 0) + data_->qfrc_applied[joint.dof];
     }
   }
 
@@ -529,6 +623,9 @@ class MujocoPhysics final : public Physics {
   std::map<std::pair<std::string, std::string>, std::size_t> joint_rows_;
   std::vector<int> weightless_;
   std::vector<int> motor_rows_;
+  std::vector<Weld> welds_;
+  std::vector<FrictionDirection> directions_;
+  bool is_moved_ = false;  ///< positions were set after the last refresh()
 };
 
 }  // namespace

@@ -5,13 +5,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <utility>
 
 #include "physics/mjcf.hpp"
 #include "physics/mujoco_friction.hpp"
 #include "physics/mujoco_model.hpp"
+#include "physics/mujoco_values.hpp"
 #include "physics/mujoco_welds.hpp"
 #include "physics/physics.hpp"
 
@@ -23,24 +23,6 @@ void throw_engine_error(const char* message) {
   throw PhysicsError(message);
 }
 void ignore_warning(const char*) {}
-
-Vector3 vector(const mjtNum* v) {
-  return {v[0], v[1], v[2]};
-}
-Quaternion quaternion(const mjtNum* q) {
-  return {q[0], q[1], q[2], q[3]};
-}
-void put(const Vector3& v, mjtNum* out) {
-  out[0] = v.x;
-  out[1] = v.y;
-  out[2] = v.z;
-}
-void put(const Quaternion& q, mjtNum* out) {
-  out[0] = q.w;
-  out[1] = q.x;
-  out[2] = q.y;
-  out[3] = q.z;
-}
 
 constexpr int kMostContacts = 1000;
 constexpr int kMostStack = 40'000'000;  // 320 MB
@@ -179,12 +161,14 @@ class MujocoPhysics final : public Physics {
 
   void set_motor(JointHandle joint, double velocity, double max_effort) override {
     if (JointRow* row = row_of(joint)) {
+      is_moved_ |= !row->motor.on;  // what limits the joint is another constraint now
       row->motor = {true, velocity, max_effort};
       apply_motor(*row);
     }
   }
   void release_motor(JointHandle joint) override {
     if (JointRow* row = row_of(joint)) {
+      is_moved_ |= row->motor.on;
       row->motor = {};
       apply_motor(*row);
     }
@@ -294,21 +278,7 @@ class MujocoPhysics final : public Physics {
     }
   }
 
-  /// FNV-1a over the bits of the state.
-  std::uint64_t state_hash() const override {
-    std::uint64_t hash = 14695981039346656037ULL;
-    const auto add = [&](const mjtNum* values, int count) {
-      for (int i = 0; i < count; ++i) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, values + i, sizeof bits);
-        for (int byte = 0; byte < 8; ++byte)
-          hash = (hash ^ (bits >> (8 * byte) & 0xff)) * 1099511628211ULL;
-      }
-    };
-    add(data_->qpos, model_->nq);
-    add(data_->qvel, model_->nv);
-    return hash;
-  }
+  std::uint64_t state_hash() const override { return hash_of_state(*model_, *data_); }
 
  private:
   /// Where a part was, by its names, to go on from there in another model.
@@ -540,19 +510,8 @@ class MujocoPhysics final : public Physics {
   }
 
   [[noreturn]] void report_explosion() {
-    const mjWarningStat* found = nullptr;
-    int dof = -1;
-    for (const int kind : {mjWARN_BADQVEL, mjWARN_BADQACC})
-      if (data_->warning[kind].number > 0) {
-        found = &data_->warning[kind];
-        dof = found->lastinfo;
-      }
+    const int dof = dof_of_warning(*model_, *data_);
     std::string model = "a model";
-    if (found == nullptr) {
-      const int position = data_->warning[mjWARN_BADQPOS].lastinfo;
-      for (int joint = 0; joint < model_->njnt; ++joint)
-        if (model_->jnt_qposadr[joint] <= position) dof = model_->jnt_dofadr[joint];
-    }
     if (dof >= 0 && dof < model_->nv) {
       const int body = model_->dof_bodyid[dof];
       for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -625,7 +584,7 @@ class MujocoPhysics final : public Physics {
   std::vector<int> motor_rows_;
   std::vector<Weld> welds_;
   std::vector<FrictionDirection> directions_;
-  bool is_moved_ = false;  ///< positions were set after the last refresh()
+  bool is_moved_ = false;  ///< positions or constraints were set after the last refresh()
 };
 
 }  // namespace

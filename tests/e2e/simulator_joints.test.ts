@@ -218,7 +218,7 @@ double radius_of(const std::vector<std::pair<double, double>>& p) {
   const double twice_area = std::abs((p[1].first - p[0].first) * (p[2].second - p[0].second) - (p[2].first - p[0].first) * (p[1].second - p[0].second));
   return side(0, 1) * side(1, 2) * side(2, 0) / (2 * twice_area);
 }
-/// Of a body that is 0.4 m before the rear axle: that of the axle's middle.
+/// The radius that a body goes round, which is 0.4 m before the rear axle.
 double rear_radius(const std::string& odometry) {
   std::vector<std::pair<double, double>> places;
   for (int i = 0; i < 3; ++i) {
@@ -383,6 +383,7 @@ int main(int argc, char** argv) {
   effort.effort = 0.05;
   effort.duration.sec = -1;
   call<ApplyJointEffort>("/apply_joint_effort", effort);
+  wait(0.2);
   report("an effort", joint_acceleration(), 0.05 / 0.1001, 0.005);
   JointRequest::Request no_effort;
   no_effort.joint_name = effort.joint_name;
@@ -456,7 +457,7 @@ const labs: readonly Lab[] = [
     said: [
       /pushed: 1, and nobody: 0$/m,
       /the car has 7 links and 6 joints, first body$/m,
-      /7 models, the second is puck, the factor is positive: 1$/m,
+      /6 models, the second is puck, the factor is positive: 1$/m,
       /\[gazebo\]: ApplyLinkWrench: Link \[nobody::body\] does not exist$/m,
     ],
   },

@@ -96,7 +96,8 @@ TEST(SimulatorForces, AForceBesideTheCentreTurnsByItsLever) {
 
 /// A weightless flywheel of 0.1 kg m^2 about z on a base that is fixed.
 Model flywheel(double limit) {
-  Model model = model_of("wheel", {part("rotor", 1, {})}, {hinge("axle", "world", "rotor", {0, 0, 1})});
+  Model model =
+      model_of("wheel", {part("rotor", 1, {})}, {hinge("axle", "world", "rotor", {0, 0, 1})});
   model.joints.front().axes.front().effort = limit;
   return model;
 }
@@ -158,8 +159,8 @@ Model cart(const MecanumSize& size, bool has_rollers) {
   for (const Corner& corner : {Corner{"front_left", 1, 1}, Corner{"front_right", 1, -1},
                                Corner{"back_left", -1, 1}, Corner{"back_right", -1, -1}}) {
     Link wheel = part(corner.name, 0.3,
-                      {corner.front * size.wheel_base / 2,
-                       corner.left * size.wheel_separation / 2, size.wheel_radius});
+                      {corner.front * size.wheel_base / 2, corner.left * size.wheel_separation / 2,
+                       size.wheel_radius});
     wheel.inertial.ixx = wheel.inertial.iyy = wheel.inertial.izz = 0.001;
     Collision tyre = shaped(Cylinder{size.wheel_radius, 0.04});
     tyre.pose.orientation = from_roll_pitch_yaw(kPi / 2, 0, 0);
@@ -274,9 +275,9 @@ TEST(SimulatorDrives, MecanumWheelsAndTheirMotionBelongTogether) {
   for (int i = 0; i <= 1000; ++i) {  // a quarter of a circle, sideways
     const MecanumWheels speed = mecanum_wheels(size, {0, kPi / 2, kPi / 2});
     const double t = i * 0.001;
-    odometry.update({speed.front_left * t, speed.front_right * t, speed.back_left * t,
-                     speed.back_right * t},
-                    0.001);
+    odometry.update(
+        {speed.front_left * t, speed.front_right * t, speed.back_left * t, speed.back_right * t},
+        0.001);
   }
   EXPECT_NEAR(odometry.pose().position.x, -1, 1e-6);
   EXPECT_NEAR(odometry.pose().position.y, 1, 1e-6);

@@ -57,8 +57,7 @@ bool Simulation::remove(const std::string& name) {
   return true;
 }
 
-void Simulation::change(const std::string& name,
-                        const std::function<void(Model& model)>& change) {
+void Simulation::change(const std::string& name, const std::function<void(Model& model)>& change) {
   for (Model& model : world_.models) {
     if (model.name != name) continue;
     const Model before = model;

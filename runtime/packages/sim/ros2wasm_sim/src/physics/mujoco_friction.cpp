@@ -10,8 +10,7 @@ namespace {
 /// The engine divides by frictions.
 constexpr double kLeastFriction = 1e-4;
 
-const FrictionDirection* direction_of(int geom,
-                                      const std::vector<FrictionDirection>& directions) {
+const FrictionDirection* direction_of(int geom, const std::vector<FrictionDirection>& directions) {
   const auto found = std::find_if(directions.begin(), directions.end(),
                                   [&](const FrictionDirection& one) { return one.geom == geom; });
   return found == directions.end() ? nullptr : &*found;

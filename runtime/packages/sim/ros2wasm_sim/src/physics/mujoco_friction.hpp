@@ -19,9 +19,10 @@ struct FrictionDirection {
 
 std::vector<FrictionDirection> friction_directions(const mjModel& model, const MjcfNames& names);
 
-/// The first half of MuJoCo's step: all that follows from positions and velocities. The engine takes
-/// two frictions of a contact from pairs of shapes only, which have no direction of their own; here
-/// they are set between the search for contacts and the constraints that follow from them.
+/// The first half of MuJoCo's step: all that follows from positions and velocities. The engine
+/// takes two frictions of a contact from pairs of shapes only, which have no direction of their
+/// own; here they are set between the search for contacts and the constraints that follow from
+/// them.
 void begin_step(const mjModel* model, mjData* data,
                 const std::vector<FrictionDirection>& directions);
 

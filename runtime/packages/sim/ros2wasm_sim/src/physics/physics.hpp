@@ -95,13 +95,14 @@ class Physics {
   /// As the world describes it; infinity when it gives no limit.
   virtual double effort_limit(JointHandle joint) const = 0;
 
-  /// A force at a point of the world, and a torque. Both act along the axes of the world in the next
-  /// step only, and add to others.
+  /// A force at a point of the world, and a torque. Both act along the axes of the world in the
+  /// next step only, and add to others.
   virtual void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque,
                           const Vector3& point) = 0;
   virtual Vector3 centre_of_mass(LinkHandle link) const = 0;  ///< in the world
 
-  /// Holds two links together as they are now, until detach(). False when too many are held already.
+  /// Holds two links together as they are now, until detach(). False when too many are held
+  /// already.
   virtual bool attach(LinkHandle parent, LinkHandle child) = 0;
   virtual void detach(LinkHandle parent, LinkHandle child) = 0;
 

@@ -20,7 +20,7 @@ struct SteeringAngles {
   double left = 0, right = 0;
 };
 
-/// Of the two front wheels, when the middle of the rear axle goes round a circle of this radius,
+/// The angles of the two front wheels when the middle of the rear axle goes round a circle of this radius,
 /// which is positive to the left.
 inline SteeringAngles steering_at(const CarSize& car, double radius) {
   return {std::atan(car.wheel_base / (radius - car.kingpin_width / 2)),
@@ -64,8 +64,7 @@ class CarOdometry {
       return;
     }
     if (seconds <= 0) return;
-    const double turned =
-        way * std::tan((steering.left + steering.right) / 2) / car_.wheel_base;
+    const double turned = way * std::tan((steering.left + steering.right) / 2) / car_.wheel_base;
     yaw_ += turned;
     x_ += way * std::cos(yaw_);
     y_ += way * std::sin(yaw_);

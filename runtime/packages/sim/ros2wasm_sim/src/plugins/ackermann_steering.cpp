@@ -57,8 +57,7 @@ class AckermannSteering final : public System {
 
   void before_step(const Now& now) override {
     if (steers_only_) {
-      const double radius =
-          std::abs(angle_) < 1e-6 ? 1e9 : size_.wheel_base / std::tan(angle_);
+      const double radius = std::abs(angle_) < 1e-6 ? 1e9 : size_.wheel_base / std::tan(angle_);
       steer(steering_at(size_, radius));
       return;
     }
@@ -71,10 +70,10 @@ class AckermannSteering final : public System {
 
   void after_step(const Now& now) override {
     if (steers_only_) return;
-    rolled_.update(physics_.position(left_.front()), physics_.position(right_.front()),
-                   {physics_.position(left_steering_.front()),
-                    physics_.position(right_steering_.front())},
-                   now.step);
+    rolled_.update(
+        physics_.position(left_.front()), physics_.position(right_.front()),
+        {physics_.position(left_steering_.front()), physics_.position(right_steering_.front())},
+        now.step);
     odometry_.publish(now, rolled_.pose(), {rolled_.forward_speed, 0, 0}, rolled_.turn_speed);
   }
 
@@ -93,8 +92,8 @@ class AckermannSteering final : public System {
     Joints joints;
     for (const std::string& name : given_.all(element)) joints.push_back(gz_joint(context, name));
     if (joints.empty())
-      throw PluginError("AckermannSteering plugin of model [" + context.model->name +
-                        "] has no <" + element + ">");
+      throw PluginError("AckermannSteering plugin of model [" + context.model->name + "] has no <" +
+                        element + ">");
     return joints;
   }
 

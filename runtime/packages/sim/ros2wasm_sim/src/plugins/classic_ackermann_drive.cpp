@@ -67,8 +67,7 @@ class ClassicAckermannDrive final : public System {
         speed_pid_.update(physics().velocity(joints_[kRearRight]) - speed, seconds);
     physics().add_effort(joints_[kRearLeft], force);
     physics().add_effort(joints_[kRearRight], force);
-    const double angle =
-        std::clamp(angle_ * std::copysign(1.0, forward_), -max_steer_, max_steer_);
+    const double angle = std::clamp(angle_ * std::copysign(1.0, forward_), -max_steer_, max_steer_);
     const SteeringAngles wanted = steering_of_middle(angle, separation_, wheel_base_);
     const double left = physics().position(joints_[kSteerLeft]);
     const double right = physics().position(joints_[kSteerRight]);
@@ -164,18 +163,16 @@ class ClassicAckermannDrive final : public System {
     }
     if (steering_ != nullptr) {
       std_msgs::msg::Float32 message;
-      message.data = static_cast<float>((physics().position(joints_[kSteerLeft]) +
-                                         physics().position(joints_[kSteerRight])) /
-                                        2);
+      message.data = static_cast<float>(
+          (physics().position(joints_[kSteerLeft]) + physics().position(joints_[kSteerRight])) / 2);
       steering_->publish(message);
     }
     if (publishes_frame_)
       frames_->sendTransform(transform_message(stamp, odometry_frame_, base_frame_, pose));
     if (!publishes_wheels_) return;
     for (const std::string& link : wheel_links_)
-      frames_->sendTransform(
-          transform_message(stamp, base_frame_, link,
-                            inverse(pose) * physics().pose(physics().link(model_, link))));
+      frames_->sendTransform(transform_message(
+          stamp, base_frame_, link, inverse(pose) * physics().pose(physics().link(model_, link))));
   }
 
   void publish_odometry(const Model& model, const Pose& pose,

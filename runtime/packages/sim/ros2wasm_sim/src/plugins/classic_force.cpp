@@ -12,11 +12,9 @@ class ClassicForce final : public System {
       : physics_(context.physics()), node_(context.host, context.plugin) {
     const Parameters given(context.plugin.xml);
     const std::string link = given.text("link_name", "");
-    if (link.empty())
-      throw PluginError("Force plugin missing <link_name>, cannot proceed");
+    if (link.empty()) throw PluginError("Force plugin missing <link_name>, cannot proceed");
     link_ = physics_.link(context.model->name, context.plugin.model_scope + link);
-    if (!link_.valid())
-      throw PluginError("Link named: " + link + " does not exist");
+    if (!link_.valid()) throw PluginError("Link named: " + link + " does not exist");
     is_local_ = given.text("force_frame", "world") == "link";
     subscription_ = node_->create_subscription<geometry_msgs::msg::Wrench>(
         "gazebo_ros_force", rclcpp::SystemDefaultsQoS(),

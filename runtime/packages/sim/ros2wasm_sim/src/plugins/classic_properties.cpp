@@ -82,8 +82,7 @@ class ClassicProperties final : public System {
   std::string answer(const GetJointProperties::Request& request,
                      GetJointProperties::Response& response) {
     const auto [model, joint] = find_joint(request.joint_name);
-    if (joint == nullptr)
-      return "GetJointProperties: joint [" + request.joint_name + "] not found";
+    if (joint == nullptr) return "GetJointProperties: joint [" + request.joint_name + "] not found";
     const JointHandle handle = simulation_.physics().joint(*model, joint->name);
     response.type = joint_type(*joint);
     for (const JointAxis& axis : joint->axes) response.damping.push_back(axis.damping);
@@ -125,8 +124,7 @@ class ClassicProperties final : public System {
   std::string answer(const SetJointProperties::Request& request, SetJointProperties::Response&) {
     const auto& wanted = request.ode_joint_config;
     const auto [model, joint] = find_joint(request.joint_name);
-    if (joint == nullptr)
-      return "SetJointProperties: joint [" + request.joint_name + "] not found";
+    if (joint == nullptr) return "SetJointProperties: joint [" + request.joint_name + "] not found";
     const std::string name = joint->name;
     return change(*model, [&](Model& changed) {
       for (Joint& one : changed.joints) {
@@ -175,7 +173,7 @@ class ClassicProperties final : public System {
     }
   }
 
-  /// Of all models, as upstream searches; a name may be `model::joint`.
+  /// Searches all models, as upstream does; a name may be `model::joint`.
   std::pair<const std::string*, const Joint*> find_joint(const std::string& name) const {
     for (const Model& model : simulation_.world().models)
       for (const Joint& joint : model.joints)

@@ -27,10 +27,9 @@ class ClassicState final : public System {
       : simulation_(context.simulation),
         node_(context.host, context.plugin),
         rate_(Parameters(context.plugin.xml).number("update_rate", 100)) {
-    models_ = node_->create_publisher<gazebo_msgs::msg::ModelStates>("model_states",
-                                                                     rclcpp::QoS(10));
-    links_ =
-        node_->create_publisher<gazebo_msgs::msg::LinkStates>("link_states", rclcpp::QoS(10));
+    models_ =
+        node_->create_publisher<gazebo_msgs::msg::ModelStates>("model_states", rclcpp::QoS(10));
+    links_ = node_->create_publisher<gazebo_msgs::msg::LinkStates>("link_states", rclcpp::QoS(10));
     get_ = node_->create_service<GetEntityState>(
         "get_entity_state",
         [this](const GetEntityState::Request::SharedPtr& request,
@@ -88,9 +87,8 @@ class ClassicState final : public System {
     response.state.name = request.name;
     response.state.reference_frame = request.reference_frame;
     response.state.pose = pose_message(inverse(frame) * pose);
-    response.state.twist =
-        twist_message({rotate(back, motion.linear - frame_motion.linear),
-                       rotate(back, motion.angular - frame_motion.angular)});
+    response.state.twist = twist_message({rotate(back, motion.linear - frame_motion.linear),
+                                          rotate(back, motion.angular - frame_motion.angular)});
     response.success = true;
   }
 

@@ -35,8 +35,7 @@ class DetachableJoint final : public System {
         [this](const std_msgs::msg::Empty&) { wants_ = true; });
     // `topic` is the older name of `detach_topic`.
     detach_ = subscribe_gz<std_msgs::msg::Empty>(
-        context.host,
-        topic_of(given, "detach_topic", topic_of(given, "topic", prefix + "detach")),
+        context.host, topic_of(given, "detach_topic", topic_of(given, "topic", prefix + "detach")),
         [this](const std_msgs::msg::Empty&) { wants_ = false; });
     output_ = publish_gz<std_msgs::msg::String>(context.host,
                                                 topic_of(given, "output_topic", prefix + "state"));
@@ -51,8 +50,8 @@ class DetachableJoint final : public System {
     if (!wants_) {
       simulation_.physics().detach(parent_, child_);
     } else {
-      child_ = simulation_.physics().link(
-          child_model_ == "__model__" ? model_ : child_model_, child_link_);
+      child_ = simulation_.physics().link(child_model_ == "__model__" ? model_ : child_model_,
+                                          child_link_);
       if (!child_.valid()) {  // it may be spawned later
         if (!is_quiet_)
           RCLCPP_WARN(logger_, "Child Model %s could not be found.", child_model_.c_str());
@@ -60,7 +59,8 @@ class DetachableJoint final : public System {
         return;
       }
       if (!simulation_.physics().attach(parent_, child_)) {
-        RCLCPP_ERROR(logger_, "DetachableJoint of model [%s] is not attached: the world has too "
+        RCLCPP_ERROR(logger_,
+                     "DetachableJoint of model [%s] is not attached: the world has too "
                      "many attached links",
                      model_.c_str());
         wants_ = false;

@@ -23,8 +23,7 @@ inline JointHandle gz_joint(const PluginContext& context, const std::string& nam
 /// All joints that the plugin names; at least one.
 inline std::vector<JointHandle> gz_joints(const PluginContext& context, const Parameters& given) {
   std::vector<JointHandle> joints;
-  for (const std::string& name : given.all("joint_name"))
-    joints.push_back(gz_joint(context, name));
+  for (const std::string& name : given.all("joint_name")) joints.push_back(gz_joint(context, name));
   if (joints.empty())
     throw PluginError("the plugin [" + context.plugin.name + "] of model [" + context.model->name +
                       "] needs a <joint_name>");
@@ -62,8 +61,7 @@ inline double motor_effort(const Physics& physics, JointHandle joint) {
 /// Commands of type actuator_msgs/Actuators are not in the embedded channel.
 inline void refuse_actuators(const PluginContext& context, const Parameters& given) {
   if (given.flag("use_actuator_msg", false))
-    throw PluginError("the plugin [" + context.plugin.name + "] of model [" +
-                      context.model->name +
+    throw PluginError("the plugin [" + context.plugin.name + "] of model [" + context.model->name +
                       "] is skipped: <use_actuator_msg> is not supported; without it the plugin "
                       "takes std_msgs/msg/Float64");
 }

@@ -28,9 +28,9 @@ class JointPositionController final : public System {
     settings.command_min = -1000;
     pid_ = Pid(read_pid(given, settings));
     initial_ = target_ = given.number("initial_position", 0);
-    const std::string topic = command_topic(context, given,
-                                            "/model/" + context.model->name + "/joint/" +
-                                                given.text("joint_name", "") + "/0/cmd_pos");
+    const std::string topic = command_topic(
+        context, given,
+        "/model/" + context.model->name + "/joint/" + given.text("joint_name", "") + "/0/cmd_pos");
     subscription_ = subscribe_gz<std_msgs::msg::Float64>(
         context.host, topic,
         [this](const std_msgs::msg::Float64& message) { target_ = message.data; });

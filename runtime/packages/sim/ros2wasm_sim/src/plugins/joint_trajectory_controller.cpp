@@ -22,7 +22,7 @@ class JointTrajectoryController final : public System {
       : physics_(context.physics()), logger_(context.host.node()->get_logger()) {
     const Parameters given(context.plugin.xml);
     std::vector<std::string> names = given.all("joint_name");
-    if (names.empty()) names = single_axis_joints(*context.model);
+    if (names.empty()) names = single_axis_joints(*context.model, context.plugin.model_scope);
     const auto initial = given.each("initial_position");
     for (std::size_t i = 0; i < names.size(); ++i) {
       Follower one;
@@ -55,8 +55,8 @@ class JointTrajectoryController final : public System {
       for (const auto& point : trajectory_.points)
         times.push_back(point.time_from_start.sec * 1'000'000'000LL +
                         point.time_from_start.nanosec);
-      player_.begin(std::move(times), uses_header_time_ ? nanoseconds_of(trajectory_.header.stamp)
-                                                        : now.time_ns);
+      player_.begin(std::move(times),
+                    uses_header_time_ ? nanoseconds_of(trajectory_.header.stamp) : now.time_ns);
     }
     if (player_.advance(now.time_ns)) {
       if (!player_.is_over()) aim_at(trajectory_.points[player_.point()]);
@@ -90,15 +90,17 @@ class JointTrajectoryController final : public System {
     std::string name;
     JointHandle joint;
     Pid position_pid, velocity_pid;
-    double initial = 0, position = 0;   ///< rad or m
+    double initial = 0, position = 0;  ///< rad or m
     double velocity = 0, effort = 0;
   };
 
-  static std::vector<std::string> single_axis_joints(const Model& model) {
+  /// Those of the nested model that has the plugin, without its scope.
+  static std::vector<std::string> single_axis_joints(const Model& model, const std::string& scope) {
     std::vector<std::string> names;
     for (const Joint& joint : model.joints)
-      if (joint.type == JointType::kRevolute || joint.type == JointType::kPrismatic)
-        names.push_back(joint.name);
+      if ((joint.type == JointType::kRevolute || joint.type == JointType::kPrismatic) &&
+          joint.name.compare(0, scope.size(), scope) == 0)
+        names.push_back(joint.name.substr(scope.size()));
     return names;
   }
 

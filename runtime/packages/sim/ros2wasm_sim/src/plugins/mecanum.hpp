@@ -1,4 +1,5 @@
-// Four wheels with rollers at 45 degrees: their speeds for a motion, and the motion of their angles.
+// Four wheels with rollers at 45 degrees: their speeds for a motion, and the motion of their
+// angles.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,7 @@ struct MecanumSize {
   double arm() const { return (wheel_separation + wheel_base) / 2; }
 };
 
-/// Of each wheel, in radians or rad/s.
+/// Angles of the four wheels in radians, or speeds in rad/s.
 struct MecanumWheels {
   double front_left = 0, front_right = 0, back_left = 0, back_right = 0;
 };

@@ -1,5 +1,5 @@
-// MecanumDrive of Gazebo Sim: four wheels whose rollers let a robot go sideways. The rollers are the
-// friction of the wheels: `mu` along `fdir1`, and a small `mu2` across it.
+// MecanumDrive of Gazebo Sim: four wheels whose rollers let a robot go sideways. The rollers are
+// the friction of the wheels: `mu` along `fdir1`, and a small `mu2` across it.
 #include <geometry_msgs/msg/twist.hpp>
 
 #include "plugins/gz_joints.hpp"
@@ -55,8 +55,7 @@ class MecanumDrive final : public System {
   }
 
   void after_step(const Now& now) override {
-    rolled_.update({physics_.position(front_left_.front()),
-                    physics_.position(front_right_.front()),
+    rolled_.update({physics_.position(front_left_.front()), physics_.position(front_right_.front()),
                     physics_.position(back_left_.front()), physics_.position(back_right_.front())},
                    now.step);
     const PlanarMotion& speed = rolled_.speed;

@@ -27,8 +27,7 @@ class Pid {
       integral_ = std::clamp(integral_, settings_.i_min, settings_.i_max);
     const double rate = (error - last_error_) / seconds;
     last_error_ = error;
-    const double command =
-        settings_.offset - settings_.p * error - integral_ - settings_.d * rate;
+    const double command = settings_.offset - settings_.p * error - integral_ - settings_.d * rate;
     return settings_.command_max >= settings_.command_min
                ? std::clamp(command, settings_.command_min, settings_.command_max)
                : command;

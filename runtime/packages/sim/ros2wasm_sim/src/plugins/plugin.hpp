@@ -43,7 +43,7 @@ std::unique_ptr<System> make_classic_imu_sensor(const PluginContext& context);
 std::unique_ptr<System> make_classic_p3d(const PluginContext& context);
 std::unique_ptr<System> make_classic_planar_move(const PluginContext& context);
 
-// Of a world of Gazebo Classic.
+// Gazebo Classic, plugins of a world.
 std::unique_ptr<System> make_classic_properties(const PluginContext& context);
 std::unique_ptr<System> make_classic_state(const PluginContext& context);
 
@@ -60,7 +60,7 @@ std::unique_ptr<System> make_mecanum_drive(const PluginContext& context);
 std::unique_ptr<System> make_odometry_publisher(const PluginContext& context);
 std::unique_ptr<System> make_pose_publisher(const PluginContext& context);
 std::unique_ptr<System> make_velocity_control(const PluginContext& context);
-/// Of a world.
+/// This one is of a world.
 std::unique_ptr<System> make_apply_link_wrench(const PluginContext& context);
 /// Sensors have no plugin of their own there: a system of the world brings those of its types to
 /// life.

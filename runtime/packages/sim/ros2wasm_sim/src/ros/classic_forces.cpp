@@ -102,8 +102,7 @@ void ClassicForces::push(const ApplyLinkWrench::Request& request,
   const auto& given = request.wrench;
   const Vector3 point{request.reference_point.x, request.reference_point.y,
                       request.reference_point.z};
-  const Vector3 force =
-      rotate(frame.orientation, {given.force.x, given.force.y, given.force.z});
+  const Vector3 force = rotate(frame.orientation, {given.force.x, given.force.y, given.force.z});
   // The force itself acts at the centre of mass; its lever is the point in the frame, and where the
   // frame is from the link.
   Vector3 lever = rotate(frame.orientation, point);
@@ -112,8 +111,8 @@ void ClassicForces::push(const ApplyLinkWrench::Request& request,
   const Vector3 torque =
       rotate(frame.orientation, {given.torque.x, given.torque.y, given.torque.z}) +
       cross(lever, force);
-  links_.push_back({request.link_name, link, force, torque,
-                    span_of(request.start_time, request.duration)});
+  links_.push_back(
+      {request.link_name, link, force, torque, span_of(request.start_time, request.duration)});
   response.success = true;
 }
 
@@ -125,8 +124,8 @@ void ClassicForces::drive(const ApplyJointEffort::Request& request,
     RCLCPP_ERROR(logger_, "ApplyJointEffort: %s", response.status_message.c_str());
     return;
   }
-  joints_.push_back({request.joint_name, joint, request.effort,
-                     span_of(request.start_time, request.duration)});
+  joints_.push_back(
+      {request.joint_name, joint, request.effort, span_of(request.start_time, request.duration)});
   response.success = true;
   response.status_message = "Effort on joint [" + request.joint_name + "] set";
 }

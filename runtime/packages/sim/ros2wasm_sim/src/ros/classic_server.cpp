@@ -25,8 +25,7 @@ ClassicServer::ClassicServer(Host& host, Simulation& simulation, const ClassicOp
   runner_.pause(options.paused);
   if (options.init) offer_clock();
   if (options.factory) offer_factory();
-  if (options.forces)
-    simulation_.add(std::make_unique<ClassicForces>(*host_.node(), simulation_));
+  if (options.forces) simulation_.add(std::make_unique<ClassicForces>(*host_.node(), simulation_));
 }
 
 void ClassicServer::offer_clock() {
@@ -102,13 +101,13 @@ void ClassicServer::publish_metrics() {
     for (const Link& link : model.links)
       for (const Sensor& sensor : link.sensors) {
         gazebo_msgs::msg::SensorPerformanceMetric one;
-        one.name = simulation_.world().name + "::" + model.name + "::" + link.name +
-                   "::" + sensor.name;
+        one.name =
+            simulation_.world().name + "::" + model.name + "::" + link.name + "::" + sensor.name;
         one.sim_update_rate =
             sensor.update_rate > 0 ? sensor.update_rate : 1e9 / simulation_.step_ns();
         one.real_update_rate = one.sim_update_rate * message.real_time_factor;
-        const bool is_camera = sensor.type.find("camera") != std::string::npos ||
-                               sensor.type == "depth";
+        const bool is_camera =
+            sensor.type.find("camera") != std::string::npos || sensor.type == "depth";
         one.fps = is_camera ? one.real_update_rate : -1;
         message.sensors.push_back(one);
       }

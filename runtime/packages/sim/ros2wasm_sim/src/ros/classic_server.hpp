@@ -44,8 +44,8 @@ class ClassicServer {
   Rate metrics_rate_{5};
   rclcpp::Publisher<gazebo_msgs::msg::PerformanceMetrics>::SharedPtr metrics_;
   rclcpp::Clock site_clock_{RCL_STEADY_TIME};
-  rclcpp::Time last_site_time_;         ///< when metrics were last due
-  std::int64_t last_metrics_ns_ = 0;    ///< of simulated time, then
+  rclcpp::Time last_site_time_;       ///< when metrics were last due
+  std::int64_t last_metrics_ns_ = 0;  ///< of simulated time, then
   std::vector<rclcpp::ServiceBase::SharedPtr> services_;
 };
 

@@ -134,6 +134,23 @@ TEST(SimulatorForces, AVelocityIsExactAndAMotorLetsGo) {
   EXPECT_NEAR(physics->velocity(axle), 2, 1e-9);
 }
 
+TEST(SimulatorForces, CommandsThatAreNotFiniteAreIgnored) {
+  const auto physics = physics_of({flywheel(kInfinity)}, {});
+  const JointHandle axle = physics->joint("wheel", "axle");
+  const LinkHandle rotor = physics->link("wheel", "rotor");
+  for (const double wrong : {std::nan(""), kInfinity, -kInfinity}) {
+    physics->add_effort(axle, wrong);
+    physics->set_velocity(axle, wrong);
+    physics->set_position(axle, wrong);
+    physics->set_motor(axle, wrong, 1);
+    physics->add_wrench(rotor, {wrong, 0, 0}, {}, {});
+    physics->add_wrench(rotor, {}, {0, 0, wrong}, {});
+    physics->step();
+  }
+  EXPECT_EQ(physics->position(axle), 0);
+  EXPECT_EQ(physics->velocity(axle), 0);
+}
+
 TEST(SimulatorForces, AttachedLinksFallTogetherAndDetachedOnesApart) {
   Model post = model_of("post", {part("link", 1, {0, 0, 5})});
   post.is_static = true;

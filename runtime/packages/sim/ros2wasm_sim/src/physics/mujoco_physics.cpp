@@ -11,6 +11,7 @@
 #include "physics/mjcf.hpp"
 #include "physics/mujoco_friction.hpp"
 #include "physics/mujoco_model.hpp"
+#include "physics/mujoco_state.hpp"
 #include "physics/mujoco_values.hpp"
 #include "physics/mujoco_welds.hpp"
 #include "physics/physics.hpp"
@@ -26,28 +27,6 @@ void ignore_warning(const char*) {}
 
 constexpr int kMostContacts = 1000;
 constexpr int kMostStack = 40'000'000;  // 320 MB
-
-struct Motor {
-  bool on = false;
-  double velocity = 0;
-  double max_effort = 0;
-};
-
-struct JointRow {
-  std::string model = {}, name = {};
-  int id = -1;   ///< of MuJoCo
-  int dof = -1;  ///< -1 for joints that have no single axis
-  int position = -1;
-  Motor motor = {};
-  double base_friction = 0;  ///< that the world gives
-  double effort = 0;         ///< of the last step
-  double effort_limit = kInfinity;
-};
-
-struct LinkRow {
-  std::string model, name;
-  int body = -1;
-};
 
 class MujocoPhysics final : public Physics {
  public:
@@ -160,7 +139,8 @@ class MujocoPhysics final : public Physics {
   }
 
   void set_motor(JointHandle joint, double velocity, double max_effort) override {
-    if (JointRow* row = row_of(joint)) {
+    JointRow* row = row_of(joint);
+    if (row != nullptr && std::isfinite(velocity)) {
       is_moved_ |= !row->motor.on;  // what limits the joint is another constraint now
       row->motor = {true, velocity, max_effort};
       apply_motor(*row);
@@ -175,7 +155,7 @@ class MujocoPhysics final : public Physics {
   }
   void set_position(JointHandle joint, double position) override {
     JointRow* row = row_of(joint);
-    if (row == nullptr || row->dof < 0) return;
+    if (row == nullptr || row->dof < 0 || !std::isfinite(position)) return;
     data_->qpos[row->position] = position;
     data_->qvel[row->dof] = 0;
     mj_kinematics(model_.get(), data_.get());
@@ -183,13 +163,13 @@ class MujocoPhysics final : public Physics {
   }
   void set_velocity(JointHandle joint, double velocity) override {
     JointRow* row = row_of(joint);
-    if (row == nullptr || row->dof < 0) return;
+    if (row == nullptr || row->dof < 0 || !std::isfinite(velocity)) return;
     data_->qvel[row->dof] = velocity;
     mj_fwdVelocity(model_.get(), data_.get());
   }
   void add_effort(JointHandle joint, double effort) override {
     JointRow* row = row_of(joint);
-    if (row == nullptr || row->dof < 0) return;
+    if (row == nullptr || row->dof < 0 || !std::isfinite(effort)) return;
     mjtNum& applied = data_->qfrc_applied[row->dof];
     applied = std::clamp(applied + effort, -row->effort_limit, row->effort_limit);
   }
@@ -203,6 +183,7 @@ class MujocoPhysics final : public Physics {
     const int body = body_of(link);
     if (body < 0) return;
     const Vector3 turning = torque + cross(point - centre_of_mass(link), force);
+    if (!std::isfinite(dot(force, force) + dot(turning, turning))) return;
     mjtNum* applied = data_->xfrc_applied + 6 * body;
     put(vector(applied) + force, applied);
     put(vector(applied + 3) + turning, applied + 3);
@@ -248,8 +229,7 @@ class MujocoPhysics final : public Physics {
     const auto roots = names_.roots.find(model);
     if (roots == names_.roots.end()) return false;
     for (const int number : roots->second) {
-      const int joint =
-          mj_name2id(model_.get(), mjOBJ_JOINT, ("f" + std::to_string(number)).c_str());
+      const int joint = free_joint_of(*model_, number);
       if (joint < 0) continue;
       mjtNum* speeds = data_->qvel + model_->jnt_dofadr[joint];
       const Quaternion turned = quaternion(data_->qpos + model_->jnt_qposadr[joint] + 3);
@@ -281,18 +261,12 @@ class MujocoPhysics final : public Physics {
   std::uint64_t state_hash() const override { return hash_of_state(*model_, *data_); }
 
  private:
-  /// Where a part was, by its names, to go on from there in another model.
-  struct State {
-    std::map<std::pair<std::string, std::string>, std::pair<double, double>> joints;
-    std::map<std::pair<std::string, std::string>, std::array<double, 13>> roots;
-    std::map<std::pair<std::string, std::string>, Pose> fixed;
-  };
-
   void build(const World& world, const MjcfLimits& limits) {
     auto [written, model] = compile_world(world, limits);
     DataPointer data(mj_makeData(model.get()));
     if (!data) throw PhysicsError("there is not enough memory for the world");
-    const State state = model_ ? state_of() : State{};
+    const WorldState state =
+        model_ ? state_of(*model_, *data_, names_, bodies_, joints_) : WorldState{};
     for (std::string& warning : written.warnings)
       if (said_.insert(warning).second) warnings_.push_back(std::move(warning));
     model_ = std::move(model);
@@ -304,7 +278,7 @@ class MujocoPhysics final : public Physics {
       for (const Joint& joint : one.joints)
         if (!joint.axes.empty()) set_effort_limit(one.name, joint);
     directions_ = friction_directions(*model_, names_);
-    restore(state);
+    restore(state, *model_, *data_, names_, bodies_, joints_);
     apply_motors();
     apply_welds();
     refresh();
@@ -402,53 +376,6 @@ class MujocoPhysics final : public Physics {
     return joints_[known->second];
   }
 
-  State state_of() const {
-    State state;
-    for (const JointRow& row : joints_)
-      if (row.dof >= 0)
-        state.joints[{row.model, row.name}] = {data_->qpos[row.position], data_->qvel[row.dof]};
-    for (const auto& [model, roots] : names_.roots)
-      for (const int number : roots) {
-        const int joint = free_joint(number);
-        const std::pair<std::string, std::string> key{model, names_.link_names[number].second};
-        if (joint < 0) {
-          const int body = bodies_[number];
-          state.fixed[key] = {vector(model_->body_pos + 3 * body),
-                              quaternion(model_->body_quat + 4 * body)};
-          continue;
-        }
-        std::array<double, 13>& values = state.roots[key];
-        std::copy_n(data_->qpos + model_->jnt_qposadr[joint], 7, values.begin());
-        std::copy_n(data_->qvel + model_->jnt_dofadr[joint], 6, values.begin() + 7);
-      }
-    return state;
-  }
-
-  void restore(const State& state) {
-    for (const JointRow& row : joints_) {
-      const auto old = state.joints.find({row.model, row.name});
-      if (row.dof < 0 || old == state.joints.end()) continue;
-      data_->qpos[row.position] = old->second.first;
-      data_->qvel[row.dof] = old->second.second;
-    }
-    for (const auto& [model, roots] : names_.roots)
-      for (const int number : roots) {
-        const std::pair<std::string, std::string> key{model, names_.link_names[number].second};
-        const int joint = free_joint(number);
-        if (joint < 0) {
-          if (const auto old = state.fixed.find(key); old != state.fixed.end()) {
-            put(old->second.position, model_->body_pos + 3 * bodies_[number]);
-            put(old->second.orientation, model_->body_quat + 4 * bodies_[number]);
-          }
-          continue;
-        }
-        const auto old = state.roots.find(key);
-        if (old == state.roots.end()) continue;
-        std::copy_n(old->second.begin(), 7, data_->qpos + model_->jnt_qposadr[joint]);
-        std::copy_n(old->second.begin() + 7, 6, data_->qvel + model_->jnt_dofadr[joint]);
-      }
-  }
-
   void apply_motors() {
     for (JointRow& row : joints_) apply_motor(row);
   }
@@ -526,12 +453,8 @@ class MujocoPhysics final : public Physics {
         "masses, moments of inertia and overlapping collisions");
   }
 
-  int free_joint(int number) const {
-    return mj_name2id(model_.get(), mjOBJ_JOINT, ("f" + std::to_string(number)).c_str());
-  }
-
   void place_root(int number, const Pose& pose, bool at_rest) {
-    const int joint = free_joint(number);
+    const int joint = free_joint_of(*model_, number);
     if (joint < 0) {
       put(pose.position, model_->body_pos + 3 * bodies_[number]);
       put(pose.orientation, model_->body_quat + 4 * bodies_[number]);

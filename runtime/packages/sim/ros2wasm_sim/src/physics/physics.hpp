@@ -81,6 +81,8 @@ class Physics {
   virtual double velocity(JointHandle joint) const = 0;
   virtual double effort(JointHandle joint) const = 0;  ///< N m or N, of the motor
 
+  // Commands that are not finite are ignored.
+
   /// A motor that holds a velocity with at most this effort, until another command.
   virtual void set_motor(JointHandle joint, double velocity, double max_effort) = 0;
   /// The joint has no motor any more.

@@ -20,8 +20,8 @@ struct SteeringAngles {
   double left = 0, right = 0;
 };
 
-/// The angles of the two front wheels when the middle of the rear axle goes round a circle of this radius,
-/// which is positive to the left.
+/// The angles of the two front wheels when the middle of the rear axle goes round a circle of this
+/// radius, which is positive to the left.
 inline SteeringAngles steering_at(const CarSize& car, double radius) {
   return {std::atan(car.wheel_base / (radius - car.kingpin_width / 2)),
           std::atan(car.wheel_base / (radius + car.kingpin_width / 2))};

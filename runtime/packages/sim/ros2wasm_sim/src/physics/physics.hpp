@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "world/world.hpp"
 
 namespace ros2wasm_sim {
@@ -42,13 +42,6 @@ struct Ray {
   Vector3 origin;
   Vector3 direction;  ///< of length 1
 };
-
-/// The triangles of a mesh: three coordinates a vertex, three vertices a face.
-struct TriangleMesh {
-  std::vector<float> vertices;
-  std::vector<int> faces;
-};
-using MeshReader = std::function<std::shared_ptr<const TriangleMesh>(const Mesh& mesh)>;
 
 class Physics {
  public:

@@ -7,15 +7,32 @@
 
 #include "core/simulation.hpp"
 #include "plugins/parameters.hpp"
+#include "render/scene.hpp"
 #include "ros/host.hpp"
 
 namespace ros2wasm_sim {
 
+/// The scene of all cameras, made when the first one asks for it.
+class SharedScene {
+ public:
+  explicit SharedScene(SceneFiles files) : files_(std::move(files)) {}
+
+  RenderScene& of(Simulation& simulation) {
+    if (scene_ == nullptr) scene_ = std::make_unique<RenderScene>(simulation, files_);
+    return *scene_;
+  }
+
+ private:
+  SceneFiles files_;
+  std::unique_ptr<RenderScene> scene_;
+};
+
 /// Where a plugin is, and what it may use. Valid while the plugin is made only, but for the
-/// simulation and the host, which outlive it.
+/// simulation, the host and the scene, which outlive it.
 struct PluginContext {
   Simulation& simulation;
   Host& host;
+  SharedScene& scene;
   const Plugin& plugin;
   const Model* model = nullptr;    ///< null: of the world
   const Link* link = nullptr;      ///< of the sensor
@@ -35,6 +52,7 @@ using MakePlugin = std::unique_ptr<System> (*)(const PluginContext& context);
 // Gazebo Classic.
 std::unique_ptr<System> make_classic_diff_drive(const PluginContext& context);
 std::unique_ptr<System> make_classic_joint_state_publisher(const PluginContext& context);
+std::unique_ptr<System> make_classic_camera(const PluginContext& context);
 std::unique_ptr<System> make_classic_ray_sensor(const PluginContext& context);
 std::unique_ptr<System> make_classic_imu_sensor(const PluginContext& context);
 std::unique_ptr<System> make_classic_p3d(const PluginContext& context);
@@ -47,6 +65,9 @@ std::unique_ptr<System> make_odometry_publisher(const PluginContext& context);
 std::unique_ptr<System> make_pose_publisher(const PluginContext& context);
 /// Sensors have no plugin of their own there: a system of the world brings those of its types to
 /// life.
+std::unique_ptr<System> make_gz_camera(const PluginContext& context);
+std::unique_ptr<System> make_gz_depth_camera(const PluginContext& context);
+std::unique_ptr<System> make_gz_rgbd_camera(const PluginContext& context);
 std::unique_ptr<System> make_gz_lidar(const PluginContext& context);
 std::unique_ptr<System> make_gz_imu(const PluginContext& context);
 

@@ -19,6 +19,7 @@ struct PluginRow {
 };
 
 constexpr std::array kPlugins{
+    PluginRow{Flavour::kClassic, "gazebo_ros_camera", make_classic_camera},
     PluginRow{Flavour::kClassic, "gazebo_ros_diff_drive", make_classic_diff_drive},
     PluginRow{Flavour::kClassic, "gazebo_ros_imu_sensor", make_classic_imu_sensor},
     PluginRow{Flavour::kClassic, "gazebo_ros_joint_state_publisher",
@@ -40,11 +41,16 @@ struct SensorRow {
 
 /// The sensors of Gazebo Sim. In Gazebo Classic the plugin of a sensor publishes what it measures.
 constexpr std::array kSensors{
+    SensorRow{"camera", make_gz_camera, "Sensors"},
+    SensorRow{"depth", make_gz_depth_camera, "Sensors"},
+    SensorRow{"depth_camera", make_gz_depth_camera, "Sensors"},
     SensorRow{"gpu_lidar", make_gz_lidar, "Sensors"},
     SensorRow{"gpu_ray", make_gz_lidar, "Sensors"},
     SensorRow{"imu", make_gz_imu, "Imu"},
     SensorRow{"lidar", make_gz_lidar, "Sensors"},
     SensorRow{"ray", make_gz_lidar, "Sensors"},
+    SensorRow{"rgbd", make_gz_rgbd_camera, "Sensors"},
+    SensorRow{"rgbd_camera", make_gz_rgbd_camera, "Sensors"},
 };
 
 /// Plugins whose work the simulator does itself, or that are for a window that a site does not
@@ -100,8 +106,8 @@ std::string sim_name(const Plugin& plugin) {
 /// Makes the plugins of one model or world.
 class Maker {
  public:
-  Maker(Host& host, Flavour flavour, Simulation& simulation)
-      : host_(host), flavour_(flavour), simulation_(simulation) {}
+  Maker(Host& host, Flavour flavour, Simulation& simulation, SharedScene& scene)
+      : host_(host), flavour_(flavour), simulation_(simulation), scene_(scene) {}
 
   void add_plugin(const Plugin& plugin, const Model* model, const Link* link,
                   const Sensor* sensor) {
@@ -111,7 +117,7 @@ class Maker {
       return one.flavour == flavour_ && one.name == name;
     });
     if (row != kPlugins.end() && model != nullptr) {
-      make(row->make, {simulation_, host_, plugin, model, link, sensor});
+      make(row->make, {simulation_, host_, scene_, plugin, model, link, sensor});
     } else if (!is_built_in(name)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
       RCLCPP_WARN(host_.node()->get_logger(),
@@ -141,7 +147,7 @@ class Maker {
       return;
     }
     const Plugin none;
-    make(row->make, {simulation_, host_, none, &model, &link, &sensor});
+    make(row->make, {simulation_, host_, scene_, none, &model, &link, &sensor});
   }
 
   std::vector<std::unique_ptr<System>> systems;
@@ -167,6 +173,7 @@ class Maker {
   Host& host_;
   Flavour flavour_;
   Simulation& simulation_;
+  SharedScene& scene_;
 };
 
 }  // namespace
@@ -180,7 +187,7 @@ JointHandle joint_of(const PluginContext& context, const std::string& name) {
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
                                                              Simulation& simulation) {
-  Maker maker(host_, flavour_, simulation);
+  Maker maker(host_, flavour_, simulation, scene_);
   for (const Link& link : model.links)
     for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, link);
   for (const Plugin& plugin : model.plugins) maker.add_plugin(plugin, &model, nullptr, nullptr);
@@ -189,7 +196,7 @@ std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const World& world,
                                                              Simulation& simulation) {
-  Maker maker(host_, flavour_, simulation);
+  Maker maker(host_, flavour_, simulation, scene_);
   for (const Plugin& plugin : world.plugins) maker.add_plugin(plugin, nullptr, nullptr, nullptr);
   return std::move(maker.systems);
 }

@@ -15,12 +15,8 @@ namespace {
 
 class NoPlugins final : public SystemMaker {
  public:
-  std::vector<std::unique_ptr<System>> systems_of(const Model&, Simulation&) override {
-    return {};
-  }
-  std::vector<std::unique_ptr<System>> systems_of(const World&, Simulation&) override {
-    return {};
-  }
+  std::vector<std::unique_ptr<System>> systems_of(const Model&, Simulation&) override { return {}; }
+  std::vector<std::unique_ptr<System>> systems_of(const World&, Simulation&) override { return {}; }
 };
 
 Model seen(const std::string& name, const Geometry& geometry, const Vector3& position,
@@ -54,7 +50,8 @@ class View {
  public:
   View(std::vector<Model> models, std::vector<Light> lights, SceneFiles files = {},
        const Lens& lens = lens_of(640, 480, 1.047))
-      : simulation_(world_of(std::move(models), std::move(lights)), make_physics(files.mesh), maker_),
+      : simulation_(world_of(std::move(models), std::move(lights)), make_physics(files.mesh),
+                    maker_),
         scene_(simulation_, std::move(files)),
         camera_(lens) {
     look({});
@@ -139,7 +136,9 @@ TEST(Camera, APlaneThatReachesBehindTheCameraIsSeenToTheHorizon) {
       const bool is_ground = depth > 0 && depth < 50;
       const bool is_drawn = view.pixel(column, row)[1] > 100 && view.pixel(column, row)[0] == 0;
       wrong += is_drawn != is_ground && std::abs(depth - 50) > 5 ? 1 : 0;
-      if (is_ground && depth < 45) { EXPECT_NEAR(view.depth(column, row), depth, 1e-4 * depth); }
+      if (is_ground && depth < 45) {
+        EXPECT_NEAR(view.depth(column, row), depth, 1e-4 * depth);
+      }
     }
   EXPECT_EQ(wrong, 0);
 }
@@ -201,7 +200,9 @@ std::string four_colors() {
   };
   put(70, 4), put(0, 4), put(54, 4), put(40, 4), put(2, 4), put(2, 4), put(1, 2), put(24, 2);
   for (int i = 0; i < 6; ++i) put(i == 1 ? 16 : 0, 4);
-  const char rows[] = "\xff\0\0\xff\xff\xff\0\0" "\0\0\xff\0\xff\0\0\0";  // from below, blue first
+  const char rows[] =
+      "\xff\0\0\xff\xff\xff\0\0"
+      "\0\0\xff\0\xff\0\0\0";  // from below, blue first
   return bmp + std::string(rows, 16);
 }
 
@@ -210,14 +211,14 @@ TEST(Camera, APictureOnAPlaneHasItsUpperLeftCornerAtLowXAndHighY) {
   board.links.front().visuals.front().material.texture = "/four.bmp";
   Light bright = sun({0, 0, -1});
   bright.diffuse = {1, 1, 1, 1};
-  View view({board}, {bright},
-            {{}, [](const std::string& path) {
-               EXPECT_EQ(path, "/four.bmp");
-               return four_colors();
-             }});
+  View view({board}, {bright}, {{}, [](const std::string& path) {
+                                  EXPECT_EQ(path, "/four.bmp");
+                                  return four_colors();
+                                }});
   // From above, with the top of the camera towards +y.
-  view.look({{0, 0, 2}, from_roll_pitch_yaw(0, 0, 1.5707963267948966) *
-                            from_roll_pitch_yaw(0, 1.5707963267948966, 0)});
+  view.look({{0, 0, 2},
+             from_roll_pitch_yaw(0, 0, 1.5707963267948966) *
+                 from_roll_pitch_yaw(0, 1.5707963267948966, 0)});
   const int step = static_cast<int>(554.4 / 2 / 2);
   const auto is = [&](int x, int y, std::array<int, 3> color) {
     for (int c = 0; c < 3; ++c)
@@ -262,8 +263,7 @@ TEST(Camera, NoiseHasItsMeanAndDeviationAndDependsOnTheSeedAlone) {
 TEST(Camera, JpegFilesAreReadBackAlmostAsTheyWere) {
   Picture picture{64, 48, {}};
   for (int i = 0; i < 64 * 48; ++i)
-    picture.rgb.insert(picture.rgb.end(),
-                       {static_cast<std::uint8_t>(4 * (i % 64)), 100, 200});
+    picture.rgb.insert(picture.rgb.end(), {static_cast<std::uint8_t>(4 * (i % 64)), 100, 200});
   const auto bytes = jpeg_of(picture, 95);
   const auto read = read_picture(std::string(bytes.begin(), bytes.end()));
   ASSERT_TRUE(read);

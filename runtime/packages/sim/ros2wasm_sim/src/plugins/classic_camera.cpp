@@ -26,8 +26,9 @@ class Eye {
     frame_ = given.text("frame_name", context.link->name);
     min_depth_ = given.number("min_depth", 0.4);
     max_depth_ = given.number("max_depth", std::numeric_limits<double>::infinity());
-    const auto publish = [&]<typename Message>(std::shared_ptr<rclcpp::Publisher<Message>>& publisher,
-                                               const std::string& topic) {
+    const auto publish = [&]<typename Message>(
+                             std::shared_ptr<rclcpp::Publisher<Message>>& publisher,
+                             const std::string& topic) {
       publisher = node->create_publisher<Message>(name + topic, rclcpp::SensorDataQoS().reliable());
     };
     publish(images_, "/image_raw");
@@ -40,11 +41,10 @@ class Eye {
     }
     // Gazebo Classic counts pixels from 1.
     const Lens& lens = settings.lens;
-    info_ = info_message(settings, given.number("cx", 0) != 0 ? given.number("cx", 0)
-                                                              : (lens.width + 1) / 2.0,
-                         given.number("cy", 0) != 0 ? given.number("cy", 0)
-                                                    : (lens.height + 1) / 2.0,
-                         given.number("hack_baseline", 0));
+    info_ = info_message(
+        settings, given.number("cx", 0) != 0 ? given.number("cx", 0) : (lens.width + 1) / 2.0,
+        given.number("cy", 0) != 0 ? given.number("cy", 0) : (lens.height + 1) / 2.0,
+        given.number("hack_baseline", 0));
   }
 
   void publish(const Now& now) {
@@ -63,9 +63,8 @@ class Eye {
       publish_stamped(depths_, depth_message(eye_.camera(), min_depth_, max_depth_), now, frame_);
     if (wants_cloud)
       publish_stamped(
-          clouds_,
-          depth_cloud_message(eye_.camera(), CloudAxes::kOptical, min_depth_, max_depth_), now,
-          frame_);
+          clouds_, depth_cloud_message(eye_.camera(), CloudAxes::kOptical, min_depth_, max_depth_),
+          now, frame_);
   }
 
  private:

@@ -31,8 +31,8 @@ class GzCamera final : public System {
     Host& host = context.host;
     infos_ = publish_gz<sensor_msgs::msg::CameraInfo>(host, info);
     if (kind != Kind::kDepth)
-      images_ = publish_gz<sensor_msgs::msg::Image>(
-          host, kind == Kind::kBoth ? topic + "/image" : topic);
+      images_ =
+          publish_gz<sensor_msgs::msg::Image>(host, kind == Kind::kBoth ? topic + "/image" : topic);
     if (kind != Kind::kColor) {
       depths_ = publish_gz<sensor_msgs::msg::Image>(
           host, kind == Kind::kBoth ? topic + "/depth_image" : topic);

@@ -26,8 +26,7 @@ struct Transform {
   Vector3 offset;
 
   explicit Transform(const Pose& pose) : offset(pose.position) {
-    const Vector3 x = rotate(pose.orientation, {1, 0, 0}),
-                  y = rotate(pose.orientation, {0, 1, 0}),
+    const Vector3 x = rotate(pose.orientation, {1, 0, 0}), y = rotate(pose.orientation, {0, 1, 0}),
                   z = rotate(pose.orientation, {0, 0, 1});
     const double all[3][3] = {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}};
     std::copy(&all[0][0], &all[0][0] + 9, &rows[0][0]);
@@ -89,7 +88,9 @@ std::uint8_t byte_of(double value) {
 class Camera::Work {
  public:
   explicit Work(const Lens& lens)
-      : lens_(lens), nearness_(std::size_t{1} * lens.width * lens.height), shown_(nearness_.size()) {}
+      : lens_(lens),
+        nearness_(std::size_t{1} * lens.width * lens.height),
+        shown_(nearness_.size()) {}
 
   void begin(const Pose& pose) {
     pose_ = pose;
@@ -131,8 +132,7 @@ class Camera::Work {
         const double alpha = one.item->look.diffuse.a;
         std::array<std::uint8_t, 3> color = one.color;
         if (!one.is_even) color = color_at(one, lighting, x, y, pixel);
-        for (int c = 0; c < 3; ++c)
-          rgb[c] = alpha >= 1 ? color[c] : mixed(rgb[c], color[c], alpha);
+        for (int c = 0; c < 3; ++c) rgb[c] = alpha >= 1 ? color[c] : mixed(rgb[c], color[c], alpha);
       }
   }
 
@@ -150,10 +150,8 @@ class Camera::Work {
     const auto outside = [&](double focal, double offset, double along) {
       return focal * along + offset * p.z < -radius * std::hypot(focal, offset);
     };
-    return !(outside(lens_.fx, lens_.cx, p.x) ||
-             outside(-lens_.fx, lens_.width - lens_.cx, p.x) ||
-             outside(lens_.fy, lens_.cy, p.y) ||
-             outside(-lens_.fy, lens_.height - lens_.cy, p.y));
+    return !(outside(lens_.fx, lens_.cx, p.x) || outside(-lens_.fx, lens_.width - lens_.cx, p.x) ||
+             outside(lens_.fy, lens_.cy, p.y) || outside(-lens_.fy, lens_.height - lens_.cy, p.y));
   }
 
   /// The same function of a pixel that `v` is of a ray (right, down, forward).
@@ -228,8 +226,7 @@ class Camera::Work {
         continue;
       }
       const double meets = -rest / edge.a - 0.5;
-      if (edge.a > 0 && meets > from)
-        from = static_cast<int>(std::min(std::ceil(meets), to + 1.0));
+      if (edge.a > 0 && meets > from) from = static_cast<int>(std::min(std::ceil(meets), to + 1.0));
       if (edge.a < 0 && meets < to) to = static_cast<int>(std::max(std::floor(meets), from - 1.0));
       if (from > to) return false;
     }
@@ -294,8 +291,7 @@ class Camera::Work {
     Vector3 texel_color{1, 1, 1};
     if (const Texture* texture = one.item->look.texture.get())
       texel_color = texel(level_of(one, *texture, depth), u, v);
-    return bytes_of(
-        lighting.shade(one.item->look, texel_color, at, world_normal(one, normal)));
+    return bytes_of(lighting.shade(one.item->look, texel_color, at, world_normal(one, normal)));
   }
 
   /// The picture whose pixels are about as large as those of the camera at this depth.
@@ -305,8 +301,8 @@ class Camera::Work {
       return Vector3{c[i].position[0], c[i].position[1], c[i].position[2]};
     };
     const double area = length(cross(at(1) - at(0), at(2) - at(0)));
-    const double in_texture = std::abs((c[1].u - c[0].u) * (c[2].v - c[0].v) -
-                                       (c[2].u - c[0].u) * (c[1].v - c[0].v));
+    const double in_texture =
+        std::abs((c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[2].u - c[0].u) * (c[1].v - c[0].v));
     const Picture& whole = texture.levels.front();
     const double texels = in_texture * whole.width * whole.height;
     // Texels a pixel, along one side.

@@ -1,5 +1,5 @@
-// Draws a scene as a pinhole camera sees it, without a graphics card: the same picture, bit for bit,
-// in Node.js and in every browser.
+// Draws a scene as a pinhole camera sees it, without a graphics card: the same picture, bit for
+// bit, in Node.js and in every browser.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace ros2wasm_sim {
 struct Lens {
   int width = 320;
   int height = 240;
-  double fx = 0, fy = 0;  ///< focal lengths, in pixels
-  double cx = 0, cy = 0;  ///< where the axis meets the picture
+  double fx = 0, fy = 0;         ///< focal lengths, in pixels
+  double cx = 0, cy = 0;         ///< where the axis meets the picture
   double near = 0.1, far = 100;  ///< metres along the axis
 };
 

@@ -33,12 +33,9 @@ class Lighting {
       const Color& c = lamp.light.diffuse;
       light = light + strength * Vector3{c.r, c.g, c.b};
     }
-    return {look.emissive.r +
-                texel.x * (look.ambient.r * ambient_.r + look.diffuse.r * light.x),
-            look.emissive.g +
-                texel.y * (look.ambient.g * ambient_.g + look.diffuse.g * light.y),
-            look.emissive.b +
-                texel.z * (look.ambient.b * ambient_.b + look.diffuse.b * light.z)};
+    return {look.emissive.r + texel.x * (look.ambient.r * ambient_.r + look.diffuse.r * light.x),
+            look.emissive.g + texel.y * (look.ambient.g * ambient_.g + look.diffuse.g * light.y),
+            look.emissive.b + texel.z * (look.ambient.b * ambient_.b + look.diffuse.b * light.z)};
   }
 
  private:
@@ -55,8 +52,7 @@ class Lighting {
       if (distance > light.range || distance == 0) return 0;
       const Vector3 ray = (1 / distance) * way;
       double strength = light.intensity * std::max(0.0, -dot(ray, normal));
-      const double fade =
-          light.constant + distance * (light.linear + distance * light.quadratic);
+      const double fade = light.constant + distance * (light.linear + distance * light.quadratic);
       if (fade > 1e-6) strength /= fade;
       if (light.type == "spot") {
         const double inner = std::cos(light.inner_angle / 2);

@@ -86,8 +86,7 @@ void RenderScene::add_mesh(LinkHandle link, const Visual& visual, const Mesh& me
   if (parts.empty() || material.is_given) parts = {MeshPart()};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t first = parts[i].first_face;
-    const std::size_t end =
-        i + 1 < parts.size() ? parts[i + 1].first_face : read->faces.size() / 3;
+    const std::size_t end = i + 1 < parts.size() ? parts[i + 1].first_face : read->faces.size() / 3;
     const std::string key = mesh.path + " " + std::to_string(first) + " " +
                             std::to_string(mesh.scale.x) + " " + std::to_string(mesh.scale.y) +
                             " " + std::to_string(mesh.scale.z);
@@ -127,7 +126,8 @@ std::shared_ptr<const Texture> RenderScene::texture(const std::string& path) {
   if (!is_new) return found->second;
   const auto bytes = files_.read(path);
   auto picture = bytes ? read_picture(*bytes) : std::nullopt;
-  if (!picture) return nullptr;
+  constexpr std::size_t kMostBytes = 256U << 20;  // of all pictures
+  if (!picture || (texture_bytes_ += picture->rgb.size()) > kMostBytes) return nullptr;
   auto texture = std::make_shared<Texture>();
   texture->levels.push_back(std::move(*picture));
   while (texture->levels.back().width > 1 || texture->levels.back().height > 1)

@@ -1,4 +1,5 @@
-// A world as cameras see it: triangles with colours, and lights. One for all cameras of a simulation.
+// A world as cameras see it: triangles with colours, and lights. One for all cameras of a
+// simulation.
 #pragma once
 
 #include <cstdint>
@@ -78,6 +79,7 @@ class RenderScene {
   std::vector<Item> items_;
   std::vector<LinkLight> link_lights_;
   std::map<std::string, std::shared_ptr<const Texture>> textures_;
+  std::size_t texture_bytes_ = 0;
   std::map<std::string, std::shared_ptr<const Triangles>> parts_;  ///< of meshes
 };
 

@@ -113,7 +113,7 @@ Triangles ellipsoid(const Vector3& radii) {
 
 Triangles plane(const Plane& plane) {
   const Vector3& n = plane.normal;
-  // Of the two directions along the plane, `right` is the nearest to x.
+  // `right` is the direction along the plane that is nearest to x.
   Vector3 up = std::abs(n.z) > 1 - 1e-9 ? Vector3{0, 1, 0} : cross(n, cross({0, 0, 1}, n));
   up = (1 / length(up)) * up;
   Triangles result;
@@ -137,8 +137,8 @@ std::vector<int> same_places(const std::vector<float>& vertices) {
     return first == at + 3 ? a < b : *first < *second;
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_same = i > 0 && std::equal(place(order[i]), place(order[i]) + 3,
-                                             place(order[i - 1]));
+    const bool is_same =
+        i > 0 && std::equal(place(order[i]), place(order[i]) + 3, place(order[i - 1]));
     result[order[i]] = is_same ? result[order[i - 1]] : order[i];
   }
   return result;
@@ -152,8 +152,8 @@ struct Face {
 Face face_of(const TriangleMesh& mesh, const Vector3& scale, std::size_t face) {
   const int* vertices = &mesh.faces[3 * face];
   const Vector3 a = position_of(mesh, vertices[0], scale);
-  const Vector3 across = cross(position_of(mesh, vertices[1], scale) - a,
-                               position_of(mesh, vertices[2], scale) - a);
+  const Vector3 across =
+      cross(position_of(mesh, vertices[1], scale) - a, position_of(mesh, vertices[2], scale) - a);
   const double size = length(across);
   return {size > 0 ? (1 / size) * across : Vector3{}, size / 2};
 }

@@ -17,11 +17,11 @@ struct Corner {
 /// Three corners a triangle.
 using Triangles = std::vector<Corner>;
 
-/// Of shapes that are no meshes; nothing of NoGeometry, Mesh and Heightmap. Round ones have normals
+/// For shapes other than meshes; empty for NoGeometry, Mesh and Heightmap. Round ones have normals
 /// of the true surface.
 Triangles triangles_of(const Geometry& geometry);
 
-/// Of a part of a mesh: `first` and `count` faces. Faces that meet at less than 45 degrees look
+/// For a part of a mesh: `first` and `count` faces. Faces that meet at less than 45 degrees look
 /// round.
 Triangles triangles_of(const TriangleMesh& mesh, const Vector3& scale, std::size_t first,
                        std::size_t count);

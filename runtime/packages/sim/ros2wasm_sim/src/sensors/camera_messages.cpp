@@ -48,7 +48,8 @@ sensor_msgs::msg::Image image_message(const Picture& picture, const std::string&
   message.step = 3 * message.width;
   message.data = picture.rgb;
   if (encoding == "bgr8")
-    for (std::size_t i = 0; i < pixels; ++i) std::swap(message.data[3 * i], message.data[3 * i + 2]);
+    for (std::size_t i = 0; i < pixels; ++i)
+      std::swap(message.data[3 * i], message.data[3 * i + 2]);
   return message;
 }
 
@@ -94,10 +95,9 @@ sensor_msgs::msg::PointCloud2 depth_cloud_message(const Camera& camera, CloudAxe
   using sensor_msgs::msg::PointField;
   const Lens& lens = camera.lens();
   sensor_msgs::msg::PointCloud2 message;
-  message.fields = {point_field("x", 0, PointField::FLOAT32),
-                    point_field("y", 4, PointField::FLOAT32),
-                    point_field("z", 8, PointField::FLOAT32),
-                    point_field("rgb", 16, PointField::FLOAT32)};
+  message.fields = {
+      point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
+      point_field("z", 8, PointField::FLOAT32), point_field("rgb", 16, PointField::FLOAT32)};
   const bool optical = axes == CloudAxes::kOptical;
   message.point_step = optical ? 32 : 24;
   message.width = static_cast<std::uint32_t>(lens.width);
@@ -116,8 +116,7 @@ sensor_msgs::msg::PointCloud2 depth_cloud_message(const Camera& camera, CloudAxe
       if (depth <= min || depth >= max) {
         message.is_dense = false;
         const float outside = depth <= min ? -kInfinite : kInfinite;
-        for (float& one : point)
-          one = optical ? std::numeric_limits<float>::quiet_NaN() : outside;
+        for (float& one : point) one = optical ? std::numeric_limits<float>::quiet_NaN() : outside;
       }
       std::memcpy(at, point, sizeof point);
       const std::uint8_t color[4] = {rgb[2], rgb[1], rgb[0], 0};

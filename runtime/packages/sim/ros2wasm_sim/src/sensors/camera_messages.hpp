@@ -1,4 +1,4 @@
-// What cameras see as messages of sensor_msgs. Headers are left empty.
+// Pictures, distances and points of cameras as messages of sensor_msgs. Headers are left empty.
 #pragma once
 
 #include <sensor_msgs/msg/camera_info.hpp>
@@ -13,7 +13,8 @@
 
 namespace ros2wasm_sim {
 
-/// The encoding of ROS for a format of SDF, such as rgb8 for R8G8B8. Nothing when it is not supported.
+/// The encoding of ROS for a format of SDF, such as rgb8 for R8G8B8. Nothing when it is not
+/// supported.
 std::optional<std::string> encoding_of(const std::string& format);
 
 /// `encoding` is rgb8, bgr8 or mono8.

@@ -53,9 +53,9 @@ sensor_msgs::msg::LaserScan scan_message(const LidarSettings& settings,
 sensor_msgs::msg::PointCloud2 dense_cloud_message(const LidarSettings& settings,
                                                   const std::vector<double>& ranges) {
   sensor_msgs::msg::PointCloud2 message;
-  message.fields = {point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
-                    point_field("z", 8, PointField::FLOAT32),
-                    point_field("intensity", 12, PointField::FLOAT32)};
+  message.fields = {
+      point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
+      point_field("z", 8, PointField::FLOAT32), point_field("intensity", 12, PointField::FLOAT32)};
   message.point_step = 16;
   message.height = 1;
   message.is_dense = true;
@@ -75,9 +75,10 @@ sensor_msgs::msg::PointCloud2 dense_cloud_message(const LidarSettings& settings,
 sensor_msgs::msg::PointCloud2 organized_cloud_message(const LidarSettings& settings,
                                                       const std::vector<double>& ranges) {
   sensor_msgs::msg::PointCloud2 message;
-  message.fields = {point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
-                    point_field("z", 8, PointField::FLOAT32), point_field("intensity", 16, PointField::FLOAT32),
-                    point_field("ring", 20, PointField::UINT16)};
+  message.fields = {
+      point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
+      point_field("z", 8, PointField::FLOAT32), point_field("intensity", 16, PointField::FLOAT32),
+      point_field("ring", 20, PointField::UINT16)};
   message.point_step = 24;
   message.width = static_cast<std::uint32_t>(settings.samples);
   message.height = static_cast<std::uint32_t>(settings.rows);

@@ -147,7 +147,8 @@ struct Light {
   Color specular{0.1, 0.1, 0.1, 1};
   Vector3 direction{0, 0, -1};
   double range = 10;  ///< metres; nothing further away is lit
-  /// It fades with the distance d as 1 / (constant + linear d + quadratic d^2); not a directional one.
+  /// It fades with the distance d as 1 / (constant + linear d + quadratic d^2); not a directional
+  /// one.
   double constant = 1, linear = 1, quadratic = 0;
   double intensity = 1;
   double inner_angle = 0, outer_angle = 0;

@@ -8,19 +8,23 @@
 
 namespace ros2wasm_sim {
 
-/// `<topic>`, or `/world/W/model/M/link/L/sensor/S` and `what`, such as `/scan`.
+/// `<topic>`, or `/world/W/model/M/link/L/sensor/S` and `what`, such as `/scan`. A sensor of a
+/// joint has `joint/J` in place of `link/L`.
 inline std::string sensor_topic(const PluginContext& context, const std::string& what) {
   const std::string& topic = context.sensor->topic;
   if (!topic.empty()) return topic;
-  return "/world/" + context.simulation.world().name + "/model/" + context.model->name + "/link/" +
-         context.link->name + "/sensor/" + context.sensor->name + what;
+  const std::string carrier =
+      context.joint != nullptr ? "/joint/" + context.joint->name : "/link/" + context.link->name;
+  return "/world/" + context.simulation.world().name + "/model/" + context.model->name + carrier +
+         "/sensor/" + context.sensor->name + what;
 }
 
-/// `<gz_frame_id>`, or `M/L/S`.
+/// `<gz_frame_id>`, or `M/L/S`, or `M/J/S`.
 inline std::string sensor_frame(const PluginContext& context) {
   const std::string& frame = context.sensor->frame_id;
-  return frame.empty() ? context.model->name + "/" + context.link->name + "/" + context.sensor->name
-                       : frame;
+  if (!frame.empty()) return frame;
+  const std::string& carrier = context.joint != nullptr ? context.joint->name : context.link->name;
+  return context.model->name + "/" + carrier + "/" + context.sensor->name;
 }
 
 /// Gazebo Sim cuts a period to whole milliseconds: 30 Hz are 30.3.

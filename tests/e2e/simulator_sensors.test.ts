@@ -1,6 +1,10 @@
 // Sensors of Gazebo Classic and Gazebo Sim other than lidars, cameras and IMUs: contacts, forces, positions on the earth, heights,
 // pressure, magnetic field and distance, each against its formula. Headless in Node.js.
 
+// Compatibility, works: sensors of a simulated robot besides lidar and IMU: contact (`libgazebo_ros_bumper.so`), force and torque
+// (`libgazebo_ros_ft_sensor.so`), satellite receiver (`libgazebo_ros_gps_sensor.so`), and in Gazebo Sim altimeter, magnetometer and
+// air pressure too
+
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
@@ -54,10 +58,8 @@ interface Sensors {
   readonly station: string;
   readonly stone: string;
 }
-const world = (systems: string, heading: number, sensors: Sensors): string => `<sdf version="1.7"><world name="yard">${systems}
+const world = (systems: string, sensors: Sensors): string => `<sdf version="1.7"><world name="yard">${systems}
   <magnetic_field>1e-6 2e-6 -4e-5</magnetic_field>
-  <spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>${origin.latitude}</latitude_deg>
-    <longitude_deg>${origin.longitude}</longitude_deg><elevation>${origin.elevation}</elevation><heading_deg>${heading}</heading_deg></spherical_coordinates>
   <model name="floor"><static>true</static><link name="l"><collision name="c"><geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>
   <model name="crate"><pose>0 0 0.1 0 0 0</pose><link name="body"><inertial><mass>2</mass></inertial>
     <collision name="shell">${box('0.4 0.4 0.2')}</collision>${sensors.bumper}</link></model>
@@ -77,7 +79,10 @@ const bumper = (namespace: string, collisions: string): string => `<sensor name=
   <contact>${collisions}</contact><plugin name="${namespace}_bumper" filename="libgazebo_ros_bumper.so">
   <ros><namespace>${namespace}</namespace></ros><frame_name>floor</frame_name></plugin></sensor>`;
 const shell = '<collision>shell</collision>';
-const classicWorld = world('', 180, {
+const onEarth = (heading: number): string => `<spherical_coordinates><surface_model>EARTH_WGS84</surface_model>
+  <latitude_deg>${origin.latitude}</latitude_deg><longitude_deg>${origin.longitude}</longitude_deg>
+  <elevation>${origin.elevation}</elevation><heading_deg>${heading}</heading_deg></spherical_coordinates>`;
+const classicWorld = world(onEarth(180), {
   bumper: bumper('crate', `${shell}<collision>shel</collision>`),
   hover: bumper('balloon', shell),
   joint: '',
@@ -111,9 +116,9 @@ const needed: readonly (readonly [string, string, string])[] = [
   ['altimeter', 'Altimeter', 'altimeter'], ['magnetometer', 'Magnetometer', 'magnetometer'], ['air_pressure', 'AirPressure', 'air-pressure'],
 ];
 const simWorld = world(system('Physics', 'physics') + system('Sensors', 'sensors')
-  + needed.map(([, name, library]) => system(name, library)).join(''), 0, simSensors);
-/** No system brings the sensors to life. */
-const bareWorld = world(system('Physics', 'physics'), 0, simSensors);
+  + needed.map(([, name, library]) => system(name, library)).join('') + onEarth(0), simSensors);
+/** It is nowhere on the earth, and no other system brings sensors to life. */
+const bareWorld = world(system('Physics', 'physics') + system('NavSat', 'navsat'), simSensors);
 
 const listener = `
 #include <cmath>
@@ -299,6 +304,7 @@ test('Gazebo Sim: contacts, wrench, position, height, field, pressure and distan
 
 test('Gazebo Sim: without its system a sensor is silent, and the line that the world lacks is printed', watchdog, async () => {
   const said = await consoleOf('sim', 'type \\[altimeter\\] is silent', 'world:=bare.world');
-  for (const [type, name, library] of needed)
+  assert.match(said, /sensor \[gps\] of type \[navsat\] is silent: the world lacks <spherical_coordinates>/);
+  for (const [type, name, library] of needed.filter(([kind]) => kind !== 'navsat'))
     assert.match(said, new RegExp(`sensor \\[\\w+\\] of type \\[${type}\\] is silent: the world lacks <plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>$`, 'm'));
 });

@@ -1,5 +1,5 @@
-// What contacts and joints carry, against statics: a weight on the floor, an arm on its joint, and
-// the collisions that a contact sensor names.
+// Forces in contacts and joints, against statics: a weight on the floor, an arm on its joint, and
+// which shapes are near a point.
 #include <gtest/gtest.h>
 
 #include <cmath>

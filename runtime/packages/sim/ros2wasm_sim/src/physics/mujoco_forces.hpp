@@ -1,5 +1,5 @@
-// What contacts and joints carry in a step of MuJoCo, and which shapes are near a point. It reads
-// the state of the engine and never changes it.
+// Contact forces and joint wrenches of a step of MuJoCo, and which shapes are near a point. It
+// reads the state of the engine and never changes it.
 #pragma once
 
 #include <mujoco/mujoco.h>

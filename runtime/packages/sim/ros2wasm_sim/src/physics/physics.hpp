@@ -117,7 +117,7 @@ class Physics {
   virtual void watch_wrench(LinkHandle child) = 0;
   /// The collisions that touched in the last step, each pair once.
   virtual std::vector<Contact> contacts() const = 0;
-  /// What the joint of a link carried in the last step: how its parent acts on it, along the axes
+  /// The wrench in the joint of a link in the last step: how its parent acts on it, along the axes
   /// of the link and about its origin.
   virtual Wrench wrench(LinkHandle child) const = 0;
 

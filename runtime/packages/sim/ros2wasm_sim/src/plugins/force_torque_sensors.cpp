@@ -1,4 +1,4 @@
-// What a joint carries: libgazebo_ros_ft_sensor.so, and `force_torque` of Gazebo Sim.
+// Wrenches in joints: libgazebo_ros_ft_sensor.so, and `force_torque` of Gazebo Sim.
 #include <geometry_msgs/msg/wrench_stamped.hpp>
 
 #include <algorithm>

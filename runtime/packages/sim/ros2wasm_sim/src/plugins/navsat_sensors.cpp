@@ -98,7 +98,7 @@ class GzNavSat final : public GzSensor<NavSatFix> {
   NavSat receiver_;
 };
 
-/// What a sensor without a place on the earth is.
+/// A sensor that has no place on the earth and never publishes.
 class SilentSensor final : public System {};
 
 }  // namespace

@@ -144,7 +144,7 @@ class Maker {
     }
   }
 
-  /// Of a link, or of a joint.
+  /// A sensor is of a link or of a joint; the other one is null.
   void add_sensor(const Sensor& sensor, const Model& model, const Link* link, const Joint* joint) {
     for (const Plugin& plugin : sensor.plugins) add_plugin(plugin, &model, link, &sensor);
     if (flavour_ == Flavour::kClassic) return;

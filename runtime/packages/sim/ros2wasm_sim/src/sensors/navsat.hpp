@@ -1,4 +1,4 @@
-// What a satellite receiver measures: `navsat` and `gps`.
+// The measurements of a satellite receiver: `navsat` and `gps`.
 #pragma once
 
 #include <string>

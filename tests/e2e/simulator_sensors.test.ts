@@ -107,7 +107,8 @@ const simSensors: Sensors = {
     <sensor name="compass" type="magnetometer"><topic>magnetic</topic><update_rate>10</update_rate></sensor>
     <sensor name="barometer" type="air_pressure"><topic>pressure</topic><update_rate>10</update_rate>
       <air_pressure><reference_altitude>980</reference_altitude></air_pressure></sensor>`,
-  stone: '<sensor name="height" type="altimeter"><topic>height</topic><update_rate>10</update_rate></sensor>',
+  stone: `<sensor name="height" type="altimeter"><topic>height</topic><update_rate>10</update_rate><altimeter>
+    <vertical_velocity><noise type="gaussian"><stddev>0.01</stddev></noise></vertical_velocity></altimeter></sensor>`,
 };
 const system = (name: string, library: string): string =>
   `<plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>`;
@@ -307,4 +308,13 @@ test('Gazebo Sim: without its system a sensor is silent, and the line that the w
   assert.match(said, /sensor \[gps\] of type \[navsat\] is silent: the world lacks <spherical_coordinates>/);
   for (const [type, name, library] of needed.filter(([kind]) => kind !== 'navsat'))
     assert.match(said, new RegExp(`sensor \\[\\w+\\] of type \\[${type}\\] is silent: the world lacks <plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>$`, 'm'));
+});
+
+test('two stepped runs of a seed sense the same', watchdog, async () => {
+  const traces = [];
+  for (const name of ['first.trace', 'second.trace']) {
+    const run = await workspace.run(['run', 'sim', '--stepped', '--seed', '7', '--for', '3s', '--trace', name]);
+    traces.push(/^trace: \d+ messages, sha256 \w+$/m.exec(run.stderr)?.[0] ?? assert.fail(run.stdout + run.stderr));
+  }
+  assert.equal(traces[0], traces[1]);
 });

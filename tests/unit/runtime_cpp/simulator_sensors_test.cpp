@@ -225,6 +225,33 @@ TEST(SimulatorSensors, AForceTorqueSensorHasTheFrameAndDirectionOfItsElement) {
   EXPECT_NEAR(length(measured(*physics, model, "").torque), 0, 1e-9);
 }
 
+TEST(SimulatorSensors, AForceTorqueSensorNamesAValueThatDoesNotExist) {
+  const Model model = rod();
+  const auto physics = physics_of({model});
+  const ForceTorque sensor(
+      sensor_of("force_torque", "<force_torque><frame>sensors</frame></force_torque>"), *physics,
+      "rod", model.joints.front(), 1);
+  EXPECT_EQ(sensor.warnings(),
+            std::vector<std::string>{"force_torque sensor [sensor]: <frame> [sensors] does not "
+                                     "exist, so child counts; values are child, parent, sensor"});
+}
+
+TEST(SimulatorSensors, AForceTorqueSensorOfAUrdfMeasuresInItsJoint) {
+  const Reading<Model> reading = read_model(
+      "<robot name='r'><link name='world'/><link name='tool'><inertial><mass value='4'/>"
+      "<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+      "<joint name='wrist' type='fixed'><parent link='world'/><child link='tool'/></joint>"
+      "<gazebo reference='wrist'><sensor name='s' type='force_torque'/></gazebo></robot>",
+      "r.urdf", {});
+  ASSERT_TRUE(reading.value);
+  const Model& model = *reading.value;
+  const auto physics = physics_of({model});
+  ASSERT_EQ(model.joints.size(), 1U);
+  ForceTorque sensor(model.joints[0].sensors.at(0), *physics, "r", model.joints[0], 1);
+  physics->step();
+  EXPECT_NEAR(sensor.measure().force.z, -4 * 9.8, 1e-9);
+}
+
 TEST(SimulatorSensors, AContactSensorReportsItsOwnCollisionFirst) {
   Model plate = ball("plate", {}, true);
   plate.links.front().collisions.front().geometry = Box{{1, 1, 0.1}};

@@ -100,7 +100,9 @@ class GzContact final : public System {
     const auto logger = context.host.node()->get_logger();
     report(sensor_, logger);
     const Parameters contact = Parameters(context.sensor->xml).inside("contact");
-    const std::string topic = topic_of(contact, "topic", sensor_topic(context, "/contact"));
+    std::string topic = contact.text("topic", "");
+    // The second one is what Gazebo writes for "not given".
+    if (topic.empty() || topic == "__default_topic__") topic = sensor_topic(context, "/contact");
     publisher_ = publish_gz<ros_gz_interfaces::msg::Contacts>(context.host, topic);
     RCLCPP_INFO(logger, "Contact system publishing on %s", topic.c_str());
   }

@@ -95,7 +95,10 @@ class GzForceTorque final : public GzSensor<WrenchStamped> {
   explicit GzForceTorque(const PluginContext& context)
       : GzSensor(context, "/forcetorque"),
         sensor_(*context.sensor, context.physics(), context.model->name, *context.joint,
-                context.host.seed()) {}
+                context.host.seed()) {
+    for (const std::string& warning : sensor_.warnings())
+      RCLCPP_WARN(context.host.node()->get_logger(), "%s", warning.c_str());
+  }
 
  private:
   WrenchStamped measure() override {

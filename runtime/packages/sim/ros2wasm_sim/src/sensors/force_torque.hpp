@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "physics/physics.hpp"
 #include "sensors/axes_noise.hpp"
@@ -23,9 +24,15 @@ class ForceTorque {
   ForceTorque(const Sensor& sensor, Physics& physics, const std::string& model, const Joint& joint,
               std::uint64_t seed);
 
+  /// Values of its elements that do not exist, in whose place the defaults count.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   Wrench measure();
 
  private:
+  /// The text of an element, which must be one of these; otherwise the first one.
+  std::string one_of(const Parameters& given, const char* element,
+                     const std::vector<std::string>& values);
+
   Physics& physics_;
   LinkHandle child_, parent_;  ///< a parent that is not valid is the world
   Pose pose_;                  ///< of the sensor in the child
@@ -33,6 +40,8 @@ class ForceTorque {
   bool is_on_child_ = false;
   Random random_;
   AxesNoise force_noise_, torque_noise_;
+  std::string name_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace ros2wasm_sim

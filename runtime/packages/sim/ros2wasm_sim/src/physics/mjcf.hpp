@@ -21,6 +21,8 @@ struct MjcfNames {
   std::vector<std::pair<std::string, std::string>> link_names;  ///< of the bodies, by number
   std::vector<int> weightless;                ///< bodies that gravity does not pull
   std::map<std::string, std::string> meshes;  ///< name in the model to path
+  /// `model::link::collision` of the geoms `c0`, `c1`, ... A wheel's tread, `c2t`, is part of `c2`.
+  std::vector<std::string> collisions;
 };
 
 struct Mjcf {

@@ -104,12 +104,16 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   const std::string what = "collision `" + shape.name + "` of link `" + link.name + "`";
   const std::string where = form(shape.geometry, shape.pose, moves, what, mjcf);
   if (where.empty()) return {};
+  const std::string name = "c" + std::to_string(mjcf.names.collisions.size());
+  const std::string& model = mjcf.names.link_names.back().first;
+  mjcf.names.collisions.push_back(model + "::" + link.name + "::" + shape.name);
   const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
                         int group, const std::string& more = {}) {
     const double mu = friction_of(shape.surface);
-    return "<geom" + form + bits(type, affinity) + " group=\"" + std::to_string(group) +
-           "\" priority=\"" + std::to_string(priority(mu)) + "\" friction=\"" + number(mu) +
-           " .005 .0001\"" + more + "/>\n";
+    return "<geom name=\"" + name + (group == kContactOnlyGroup ? "t\"" : "\"") + form +
+           bits(type, affinity) + " group=\"" + std::to_string(group) + "\" priority=\"" +
+           std::to_string(priority(mu)) + "\" friction=\"" + number(mu) + " .005 .0001\"" + more +
+           "/>\n";
   };
   const Surface& surface = shape.surface;
   colliding_.insert(static_cast<int>(mjcf.names.link_names.size()) - 1);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "physics/mjcf.hpp"
+#include "physics/mujoco_forces.hpp"
 #include "physics/mujoco_model.hpp"
 #include "physics/physics.hpp"
 
@@ -60,8 +61,10 @@ struct JointRow {
 };
 
 struct LinkRow {
-  std::string model, name;
+  std::string model = {}, name = {};
   int body = -1;
+  bool is_watched = false;
+  Wrench wrench = {};  ///< of the last step, when it is watched
 };
 
 class MujocoPhysics final : public Physics {
@@ -118,6 +121,7 @@ class MujocoPhysics final : public Physics {
       row.motor = {};
       row.effort = 0;
     }
+    forget_forces();
     apply_motors();
     mj_forward(model_.get(), data_.get());
   }
@@ -235,6 +239,23 @@ class MujocoPhysics final : public Physics {
     }
   }
 
+  bool is_near(const Vector3& point, double distance, RaySees sees,
+               LinkHandle exclude) const override {
+    const int group = sees == RaySees::kCollisions ? kCollisionGroup : kVisualGroup;
+    return is_geom_near(*model_, *data_, point, distance, group, body_of(exclude));
+  }
+
+  void watch_contacts() override { watches_contacts_ = true; }
+  void watch_wrench(LinkHandle child) override {
+    if (child.valid()) links_[child.index].is_watched = true;
+  }
+  std::vector<Contact> contacts() const override {
+    return contacts_between(touches_, names_.collisions);
+  }
+  Wrench wrench(LinkHandle child) const override {
+    return child.valid() ? links_[child.index].wrench : Wrench{};
+  }
+
   /// FNV-1a over the bits of the state.
   std::uint64_t state_hash() const override {
     std::uint64_t hash = 14695981039346656037ULL;
@@ -270,6 +291,7 @@ class MujocoPhysics final : public Physics {
     data_ = std::move(data);
     names_ = std::move(written.names);
     limits_ = limits;
+    forget_forces();
     refresh_handles();
     restore(state);
     apply_motors();
@@ -330,6 +352,7 @@ class MujocoPhysics final : public Physics {
     // A model that comes back with the same name begins without commands.
     for (JointRow& row : joints_)
       if (row.id < 0) row.motor = {};
+    collision_of_geom_ = collisions_of_geoms(*model_);
     weightless_.clear();
     for (const int number : names_.weightless) weightless_.push_back(bodies_[number]);
   }
@@ -408,6 +431,7 @@ class MujocoPhysics final : public Physics {
     }
     mj_step2(model_.get(), data_.get());
     read_efforts();
+    measure_forces();
     std::fill_n(data_->xfrc_applied, 6 * model_->nbody, 0.0);
     mj_step1(model_.get(), data_.get());
   }
@@ -432,6 +456,22 @@ class MujocoPhysics final : public Physics {
       const int row = joint.motor.on ? motor_rows_[joint.dof] : -1;
       joint.effort = row >= 0 ? data_->efc_force[row] : 0;
     }
+  }
+
+  /// Between the halves of a step, as the next one begins with other contacts.
+  void measure_forces() {
+    if (watches_contacts_) read_touches(*model_, *data_, collision_of_geom_, touches_);
+    if (std::none_of(links_.begin(), links_.end(),
+                     [](const LinkRow& row) { return row.is_watched; }))
+      return;
+    mj_rnePostConstraint(model_.get(), data_.get());
+    for (LinkRow& row : links_)
+      if (row.is_watched && row.body >= 0) row.wrench = wrench_of_parent(*model_, *data_, row.body);
+  }
+
+  void forget_forces() {
+    touches_.clear();
+    for (LinkRow& row : links_) row.wrench = {};
   }
 
   /// More work memory, for worlds with many contacts. False when it is as large as it may be.
@@ -529,6 +569,9 @@ class MujocoPhysics final : public Physics {
   std::map<std::pair<std::string, std::string>, std::size_t> joint_rows_;
   std::vector<int> weightless_;
   std::vector<int> motor_rows_;
+  bool watches_contacts_ = false;
+  std::vector<int> collision_of_geom_;  ///< -1 for those that are only seen
+  std::vector<Touch> touches_;
 };
 
 }  // namespace

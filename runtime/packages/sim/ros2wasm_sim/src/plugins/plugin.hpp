@@ -37,6 +37,7 @@ struct PluginContext {
   const Model* model = nullptr;    ///< null: of the world
   const Link* link = nullptr;      ///< of the sensor
   const Sensor* sensor = nullptr;  ///< null: not of a sensor
+  const Joint* joint = nullptr;    ///< of the sensor, in place of a link
 
   Physics& physics() const { return simulation.physics(); }
 };
@@ -55,6 +56,9 @@ std::unique_ptr<System> make_classic_joint_state_publisher(const PluginContext& 
 std::unique_ptr<System> make_classic_camera(const PluginContext& context);
 std::unique_ptr<System> make_classic_ray_sensor(const PluginContext& context);
 std::unique_ptr<System> make_classic_imu_sensor(const PluginContext& context);
+std::unique_ptr<System> make_classic_bumper(const PluginContext& context);
+std::unique_ptr<System> make_classic_ft_sensor(const PluginContext& context);
+std::unique_ptr<System> make_classic_gps_sensor(const PluginContext& context);
 std::unique_ptr<System> make_classic_p3d(const PluginContext& context);
 std::unique_ptr<System> make_classic_planar_move(const PluginContext& context);
 
@@ -70,6 +74,12 @@ std::unique_ptr<System> make_gz_depth_camera(const PluginContext& context);
 std::unique_ptr<System> make_gz_rgbd_camera(const PluginContext& context);
 std::unique_ptr<System> make_gz_lidar(const PluginContext& context);
 std::unique_ptr<System> make_gz_imu(const PluginContext& context);
+std::unique_ptr<System> make_gz_air_pressure(const PluginContext& context);
+std::unique_ptr<System> make_gz_altimeter(const PluginContext& context);
+std::unique_ptr<System> make_gz_contact(const PluginContext& context);
+std::unique_ptr<System> make_gz_force_torque(const PluginContext& context);
+std::unique_ptr<System> make_gz_magnetometer(const PluginContext& context);
+std::unique_ptr<System> make_gz_navsat(const PluginContext& context);
 
 /// The joint of the plugin's model. Throws PluginError in upstream's words.
 JointHandle joint_of(const PluginContext& context, const std::string& name);

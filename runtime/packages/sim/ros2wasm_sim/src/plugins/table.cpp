@@ -16,17 +16,21 @@ struct PluginRow {
   std::string_view
       name;  ///< of the library without `lib` and `.so`, or of the class without its namespaces
   MakePlugin make;
+  bool is_of_sensor = false;  ///< it needs a <sensor> of a link around it
 };
 
 constexpr std::array kPlugins{
-    PluginRow{Flavour::kClassic, "gazebo_ros_camera", make_classic_camera},
+    PluginRow{Flavour::kClassic, "gazebo_ros_bumper", make_classic_bumper, true},
+    PluginRow{Flavour::kClassic, "gazebo_ros_camera", make_classic_camera, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_diff_drive", make_classic_diff_drive},
-    PluginRow{Flavour::kClassic, "gazebo_ros_imu_sensor", make_classic_imu_sensor},
+    PluginRow{Flavour::kClassic, "gazebo_ros_ft_sensor", make_classic_ft_sensor},
+    PluginRow{Flavour::kClassic, "gazebo_ros_gps_sensor", make_classic_gps_sensor, true},
+    PluginRow{Flavour::kClassic, "gazebo_ros_imu_sensor", make_classic_imu_sensor, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_joint_state_publisher",
               make_classic_joint_state_publisher},
     PluginRow{Flavour::kClassic, "gazebo_ros_p3d", make_classic_p3d},
     PluginRow{Flavour::kClassic, "gazebo_ros_planar_move", make_classic_planar_move},
-    PluginRow{Flavour::kClassic, "gazebo_ros_ray_sensor", make_classic_ray_sensor},
+    PluginRow{Flavour::kClassic, "gazebo_ros_ray_sensor", make_classic_ray_sensor, true},
     PluginRow{Flavour::kSim, "DiffDrive", make_diff_drive},
     PluginRow{Flavour::kSim, "JointStatePublisher", make_joint_state_publisher},
     PluginRow{Flavour::kSim, "OdometryPublisher", make_odometry_publisher},
@@ -36,18 +40,26 @@ constexpr std::array kPlugins{
 struct SensorRow {
   std::string_view type;
   MakePlugin make;
-  std::string_view system;  ///< of the world that brings it to life
+  std::string_view system;               ///< of the world that brings it to life
+  std::string_view library = "sensors";  ///< of that system, as in gz-sim-sensors-system
 };
 
 /// The sensors of Gazebo Sim. In Gazebo Classic the plugin of a sensor publishes what it measures.
 constexpr std::array kSensors{
+    SensorRow{"air_pressure", make_gz_air_pressure, "AirPressure", "air-pressure"},
+    SensorRow{"altimeter", make_gz_altimeter, "Altimeter", "altimeter"},
     SensorRow{"camera", make_gz_camera, "Sensors"},
+    SensorRow{"contact", make_gz_contact, "Contact", "contact"},
     SensorRow{"depth", make_gz_depth_camera, "Sensors"},
     SensorRow{"depth_camera", make_gz_depth_camera, "Sensors"},
+    SensorRow{"force_torque", make_gz_force_torque, "ForceTorque", "forcetorque"},
+    SensorRow{"gps", make_gz_navsat, "NavSat", "navsat"},
     SensorRow{"gpu_lidar", make_gz_lidar, "Sensors"},
     SensorRow{"gpu_ray", make_gz_lidar, "Sensors"},
-    SensorRow{"imu", make_gz_imu, "Imu"},
+    SensorRow{"imu", make_gz_imu, "Imu", "imu"},
     SensorRow{"lidar", make_gz_lidar, "Sensors"},
+    SensorRow{"magnetometer", make_gz_magnetometer, "Magnetometer", "magnetometer"},
+    SensorRow{"navsat", make_gz_navsat, "NavSat", "navsat"},
     SensorRow{"ray", make_gz_lidar, "Sensors"},
     SensorRow{"rgbd", make_gz_rgbd_camera, "Sensors"},
     SensorRow{"rgbd_camera", make_gz_rgbd_camera, "Sensors"},
@@ -55,24 +67,17 @@ constexpr std::array kSensors{
 
 /// Plugins whose work the simulator does itself, or that are for a window that a site does not
 /// have.
-constexpr std::array<std::string_view, 15> kBuiltIn{"Physics",
-                                                    "UserCommands",
-                                                    "SceneBroadcaster",
-                                                    "Sensors",
-                                                    "Imu",
-                                                    "Contact",
-                                                    "NavSat",
-                                                    "ForceTorque",
-                                                    "Altimeter",
-                                                    "Magnetometer",
-                                                    "gazebo_ros_init",
-                                                    "gazebo_ros_factory",
-                                                    "gazebo_ros_force_system",
-                                                    "gazebo_ros_properties",
-                                                    "gazebo_ros_state"};
+constexpr std::string_view kBuiltIn[]{"Physics",
+                                      "UserCommands",
+                                      "SceneBroadcaster",
+                                      "gazebo_ros_init",
+                                      "gazebo_ros_factory",
+                                      "gazebo_ros_force_system",
+                                      "gazebo_ros_properties",
+                                      "gazebo_ros_state"};
 
 bool is_built_in(std::string_view name) {
-  return std::find(kBuiltIn.begin(), kBuiltIn.end(), name) != kBuiltIn.end();
+  return std::find(std::begin(kBuiltIn), std::end(kBuiltIn), name) != std::end(kBuiltIn);
 }
 
 std::string without_affixes(std::string name) {
@@ -103,6 +108,15 @@ std::string sim_name(const Plugin& plugin) {
   return name;
 }
 
+/// The system of a row, by its class or, without one, by its library.
+bool is_system_of(const Plugin& plugin, const SensorRow& row) {
+  if (plugin.name.find("::") != std::string::npos) return sim_name(plugin) == row.system;
+  const std::string end = "-" + std::string(row.library) + "-system";
+  const std::string library = without_affixes(plugin.filename);
+  return library.size() > end.size() &&
+         library.compare(library.size() - end.size(), end.size(), end) == 0;
+}
+
 /// Makes the plugins of one model or world.
 class Maker {
  public:
@@ -116,9 +130,13 @@ class Maker {
     const auto row = std::find_if(kPlugins.begin(), kPlugins.end(), [&](const PluginRow& one) {
       return one.flavour == flavour_ && one.name == name;
     });
-    if (row != kPlugins.end() && model != nullptr) {
+    if (row != kPlugins.end() && row->is_of_sensor && link == nullptr) {
+      RCLCPP_ERROR(host_.node()->get_logger(),
+                   "plugin [%s] (%s) does not work here: it must be inside a <sensor> of a link",
+                   plugin.name.c_str(), plugin.filename.c_str());
+    } else if (row != kPlugins.end() && model != nullptr) {
       make(row->make, {simulation_, host_, scene_, plugin, model, link, sensor});
-    } else if (!is_built_in(name)) {
+    } else if (!is_built_in(name) && !brings_sensors_to_life(plugin)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
       RCLCPP_WARN(host_.node()->get_logger(),
                   "plugin [%s] (%s) is skipped: the simulator does not have it",
@@ -126,8 +144,9 @@ class Maker {
     }
   }
 
-  void add_sensor(const Sensor& sensor, const Model& model, const Link& link) {
-    for (const Plugin& plugin : sensor.plugins) add_plugin(plugin, &model, &link, &sensor);
+  /// A sensor is of a link or of a joint; the other one is null.
+  void add_sensor(const Sensor& sensor, const Model& model, const Link* link, const Joint* joint) {
+    for (const Plugin& plugin : sensor.plugins) add_plugin(plugin, &model, link, &sensor);
     if (flavour_ == Flavour::kClassic) return;
     const auto row = std::find_if(kSensors.begin(), kSensors.end(),
                                   [&](const SensorRow& one) { return one.type == sensor.type; });
@@ -137,17 +156,24 @@ class Maker {
                   sensor.name.c_str(), sensor.type.c_str());
       return;
     }
-    if (!world_has(row->system)) {
+    if (!world_has(*row)) {
       RCLCPP_WARN(host_.node()->get_logger(),
                   "sensor [%s] of type [%s] is silent: the world lacks <plugin "
                   "filename=\"gz-sim-%s-system\" "
                   "name=\"gz::sim::systems::%s\"/>",
-                  sensor.name.c_str(), sensor.type.c_str(),
-                  row->system == "Imu" ? "imu" : "sensors", std::string(row->system).c_str());
+                  sensor.name.c_str(), sensor.type.c_str(), std::string(row->library).c_str(),
+                  std::string(row->system).c_str());
+      return;
+    }
+    const bool is_of_joint = row->system == "ForceTorque";
+    if (is_of_joint != (joint != nullptr)) {
+      RCLCPP_WARN(host_.node()->get_logger(),
+                  "sensor [%s] of type [%s] is skipped: it must be in a <%s>", sensor.name.c_str(),
+                  sensor.type.c_str(), is_of_joint ? "joint" : "link");
       return;
     }
     const Plugin none;
-    make(row->make, {simulation_, host_, scene_, none, &model, &link, &sensor});
+    make(row->make, {simulation_, host_, scene_, none, &model, link, &sensor, joint});
   }
 
   std::vector<std::unique_ptr<System>> systems;
@@ -164,10 +190,16 @@ class Maker {
   }
 
   /// Upstream: a world with any plugin has only those that it lists.
-  bool world_has(std::string_view system) const {
+  bool world_has(const SensorRow& row) const {
     const auto& plugins = simulation_.world().plugins;
     return std::any_of(plugins.begin(), plugins.end(),
-                       [&](const Plugin& plugin) { return sim_name(plugin) == system; });
+                       [&](const Plugin& plugin) { return is_system_of(plugin, row); });
+  }
+
+  bool brings_sensors_to_life(const Plugin& plugin) const {
+    return flavour_ == Flavour::kSim &&
+           std::any_of(kSensors.begin(), kSensors.end(),
+                       [&](const SensorRow& row) { return is_system_of(plugin, row); });
   }
 
   Host& host_;
@@ -189,7 +221,9 @@ std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
                                                              Simulation& simulation) {
   Maker maker(host_, flavour_, simulation, scene_);
   for (const Link& link : model.links)
-    for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, link);
+    for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, &link, nullptr);
+  for (const Joint& joint : model.joints)
+    for (const Sensor& sensor : joint.sensors) maker.add_sensor(sensor, model, nullptr, &joint);
   for (const Plugin& plugin : model.plugins) maker.add_plugin(plugin, &model, nullptr, nullptr);
   return std::move(maker.systems);
 }

@@ -25,7 +25,7 @@ export class PackWorkspace {
     this.cache = (cache === 'shared' ? SHARED_CACHE : undefined) ?? join(this.root, 'cache');
   }
 
-  write(path: string, text: string): string {
+  write(path: string, text: string | Uint8Array): string {
     const file = join(this.root, path);
     mkdirSync(dirname(file), { recursive: true });
     writeFileSync(file, text);

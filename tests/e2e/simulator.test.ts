@@ -4,8 +4,8 @@
 // Compatibility, works: launch files that start Gazebo Classic (`gazebo.launch.py`, `spawn_entity.py`) or Gazebo Sim
 // (`gz_sim.launch.py`, `create`, `parameter_bridge`): worlds of SDF, robots of URDF and SDF, wheels, lidar, IMU, joint states, `/clock`
 
-// Compatibility, differs: the physics of the simulator -> MuJoCo, with Gazebo's rules for friction, motors and lumping; cameras,
-// heightmaps and meshes other than STL, OBJ and COLLADA are skipped, with a warning
+// Compatibility, differs: the physics of the simulator -> MuJoCo, with Gazebo's rules for friction, motors and lumping; heightmaps,
+// and meshes other than STL, OBJ and COLLADA are skipped, with a warning
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';

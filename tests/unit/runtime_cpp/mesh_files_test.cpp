@@ -78,6 +78,67 @@ TEST(MeshFiles, ColladaWhereItsSceneHasIt) {
     EXPECT_NEAR(read->vertices[i], expected[i], 1e-6) << i;
 }
 
+TEST(MeshFiles, ObjHasTheColoursOfItsMaterials) {
+  const std::string text =
+      "mtllib the colours.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0.25\nf 1 2 3\nusemtl "
+      "red\nf 1/1 2/2 3/2\nusemtl unknown\nf 1 2 3\n";
+  const auto read = read_obj(text, 10, [](const std::string& name) {
+    EXPECT_EQ(name, "the colours.mtl");
+    return std::optional<std::string>(
+        "Kd 9 9 9\nnewmtl red\nKd 1 0.5 0\nd 0.25\nmap_Kd red brick.png\n");
+  });
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->parts.size(), 3U);
+  EXPECT_FALSE(read->parts[0].diffuse);
+  EXPECT_EQ(read->parts[1].first_face, 1U);
+  EXPECT_EQ(read->parts[1].diffuse->g, 0.5);
+  EXPECT_EQ(read->parts[1].diffuse->a, 0.25);
+  EXPECT_EQ(read->parts[1].texture, "red brick.png");
+  EXPECT_EQ(read->parts[2].first_face, 2U);
+  EXPECT_FALSE(read->parts[2].diffuse);
+  ASSERT_EQ(read->uvs.size(), 2 * read->faces.size());
+  EXPECT_EQ(read->uvs[6], 0);
+  EXPECT_EQ(read->uvs[7], 1);
+  EXPECT_EQ(read->uvs[8], 1);
+  EXPECT_EQ(read->uvs[9], 0.75);
+  // Without its materials it is read too.
+  EXPECT_TRUE(read_obj(text, 10, [](const std::string&) { return std::nullopt; })->parts.empty());
+}
+
+TEST(MeshFiles, ColladaHasTheColoursOfItsMaterials) {
+  const std::string materials =
+      "<library_images><image id=\"i\"><init_from> ./wood.jpg </init_from></image></library_images>"
+      "<library_effects><effect id=\"e\"><profile_COMMON><technique><phong><diffuse><color>0 0.5 1 "
+      "1</color></diffuse></phong></technique></profile_COMMON></effect><effect "
+      "id=\"f\"><profile_COMMON><newparam sid=\"s\"><surface><init_from>i</init_from></surface>"
+      "</newparam><newparam sid=\"t\"><sampler2D><source>s</source></sampler2D></newparam>"
+      "<technique><lambert><diffuse><texture texture=\"t\"/></diffuse></lambert></technique>"
+      "</profile_COMMON></effect></library_effects><library_materials><material "
+      "id=\"m\"><instance_effect url=\"#e\"/></material><material id=\"n\"><instance_effect "
+      "url=\"#f\"/></material></library_materials>";
+  const std::string faces =
+      "<source id=\"w\"><float_array>0 0 0.5 1</float_array></source><triangles material=\"blue\">"
+      "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles><triangles "
+      "material=\"wood\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><input "
+      "semantic=\"TEXCOORD\" source=\"#w\" offset=\"1\"/><p>0 0 1 1 2 1</p></triangles>";
+  std::string text = collada(
+      "<node><instance_geometry url=\"#g\"><bind_material><technique_common><instance_material "
+      "symbol=\"blue\" target=\"#m\"/><instance_material symbol=\"wood\" "
+      "target=\"#n\"/></technique_common></bind_material></instance_geometry></node>",
+      faces);
+  text.insert(text.find("<library_geometries>"), materials);
+  const auto read = read_dae(text, 10);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->parts.size(), 2U);
+  EXPECT_EQ(read->parts[0].diffuse->b, 1);
+  EXPECT_EQ(read->parts[0].diffuse->g, 0.5);
+  EXPECT_EQ(read->parts[1].first_face, 1U);
+  EXPECT_EQ(read->parts[1].texture, "wood.jpg");
+  ASSERT_EQ(read->uvs.size(), 12U);
+  EXPECT_EQ(read->uvs[8], 0.5);
+  EXPECT_EQ(read->uvs[9], 0);
+}
+
 TEST(MeshFiles, ColladaThatMeansHarmEnds) {
   const std::string once = "<node><instance_geometry url=\"#g\"/></node>";
   EXPECT_FALSE(read_dae(collada(once, kTriangles), 0));

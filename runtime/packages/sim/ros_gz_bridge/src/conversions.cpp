@@ -160,7 +160,7 @@ const Conversion kPoseCovarianceStamped =
 const Conversion kTwistStampedTwist = between<geometry::TwistStamped, geometry::Twist>();
 const Conversion kTwistCovarianceStamped =
     between<geometry::TwistWithCovarianceStamped, geometry::TwistWithCovariance>();
-const Conversion kWrenchStampedWrench = between<geometry::WrenchStamped, geometry::Wrench>();
+const Conversion kWrenchWrenchStamped = between<geometry::Wrench, geometry::WrenchStamped>();
 const Conversion kGpsFixNavSat = between<gps_msgs::msg::GPSFix, sensor_msgs::msg::NavSatFix>();
 const Conversion kRangeLaserScan = between<sensor_msgs::msg::Range, sensor_msgs::msg::LaserScan>();
 

@@ -13,7 +13,7 @@ extern const Conversion kPoseArrayTransforms;
 extern const Conversion kPoseCovarianceStamped;
 extern const Conversion kTwistStampedTwist;
 extern const Conversion kTwistCovarianceStamped;
-extern const Conversion kWrenchStampedWrench;
+extern const Conversion kWrenchWrenchStamped;
 extern const Conversion kGpsFixNavSat;
 extern const Conversion kRangeLaserScan;
 

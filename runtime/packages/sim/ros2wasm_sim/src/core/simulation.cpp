@@ -40,6 +40,7 @@ void Simulation::add(Model model) {
     world_.models.pop_back();
     throw;
   }
+  ++revision_;
   const Model& added = world_.models.back();
   for (auto& system : maker_.systems_of(added, *this))
     systems_.push_back({added.name, std::move(system)});
@@ -53,6 +54,7 @@ bool Simulation::remove(const std::string& name) {
                                 [&](const Owned& one) { return one.model == name; }),
                  systems_.end());
   world_.models.erase(found);
+  ++revision_;
   physics_->set_world(world_);
   return true;
 }

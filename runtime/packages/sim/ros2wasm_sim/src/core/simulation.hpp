@@ -79,6 +79,8 @@ class Simulation {
   /// Throws PhysicsError when the state is not finite any more; the world is as it began then.
   void step();
 
+  /// It changes when a model comes or goes.
+  std::uint64_t revision() const { return revision_; }
   /// Throws PhysicsError, and then nothing has changed.
   void add(Model model);
   bool remove(const std::string& model);
@@ -109,6 +111,7 @@ class Simulation {
   std::int64_t step_ns_;
   std::int64_t start_ns_ = 0;
   std::int64_t steps_ = 0;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace ros2wasm_sim

@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <map>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 #include "ros2wasm_xml/xml_document.hpp"
 
@@ -100,6 +103,7 @@ class Reader {
       for (const XmlElement* scene : document_.children(*library, "visual_scene"))
         for (const XmlElement* node : document_.children(*scene, "node"))
           if (!place(*node, scale, mesh)) return false;
+    if (!mesh.uvs.empty()) mesh.uvs.resize(2 * mesh.faces.size());
     return !mesh.faces.empty();
   }
 
@@ -107,6 +111,11 @@ class Reader {
   struct Placed {
     const XmlElement* node;
     Matrix matrix;
+  };
+
+  struct Corner {
+    int vertex;
+    int place;  ///< in the picture; -1: none
   };
 
   /// The vertices of a source in the mesh.
@@ -138,14 +147,16 @@ class Reader {
         const XmlElement* target = named(*inner, "url");
         if (target == nullptr) continue;
         if (inner->name == "instance_node") open.push_back({target, matrix});
-        if (inner->name == "instance_geometry" && !add_geometry(*target, matrix, mesh))
+        if (inner->name == "instance_geometry" && !add_geometry(*target, *inner, matrix, mesh))
           return false;
       }
     }
     return true;
   }
 
-  bool add_geometry(const XmlElement& geometry, const Matrix& matrix, TriangleMesh& mesh) {
+  /// `instance` binds the names of materials to materials.
+  bool add_geometry(const XmlElement& geometry, const XmlElement& instance, const Matrix& matrix,
+                    TriangleMesh& mesh) {
     const XmlElement* inner = document_.child(geometry, "mesh");
     if (inner == nullptr) return true;
     if (++placed_ > kMostPlaced) return false;
@@ -156,7 +167,9 @@ class Reader {
     for (const XmlElement* part : document_.children(*inner)) {
       const bool counts =
           part->name == "triangles" || part->name == "polylist" || part->name == "polygons";
-      if (counts && !add_faces(*part, parts, matrix, added, mesh)) return false;
+      if (!counts) continue;
+      begin_part(*part, instance, mesh);
+      if (!add_faces(*part, parts, matrix, added, mesh)) return false;
     }
     return true;
   }
@@ -164,14 +177,19 @@ class Reader {
   bool add_faces(const XmlElement& faces, const std::map<std::string, const XmlElement*>& parts,
                  const Matrix& matrix, std::map<const XmlElement*, Vertices>& added,
                  TriangleMesh& mesh) {
-    std::size_t stride = 0, offset = 0;
+    std::size_t stride = 0, offset = 0, place_offset = 0;
     const XmlElement* source = nullptr;
+    std::vector<double> places;
     for (const XmlElement* input : document_.children(faces, "input")) {
       const std::string* semantic = input->attribute("semantic");
       const std::string* at = input->attribute("offset");
       const std::size_t place = at == nullptr ? 0 : std::strtoul(at->c_str(), nullptr, 10);
       if (place > 100) return false;
       stride = std::max(stride, place + 1);
+      if (semantic != nullptr && *semantic == "TEXCOORD" && places.empty()) {
+        place_offset = place;
+        places = places_of(*input, parts);
+      }
       if (semantic == nullptr || *semantic != "VERTEX") continue;
       offset = place;
       source = positions(*input, parts);
@@ -186,13 +204,16 @@ class Reader {
         counts == nullptr ? std::vector<double>() : numbers_of(counts->text);
     for (const XmlElement* list : document_.children(faces, "p")) {
       if ((bytes_ += list->text.size()) > kMostBytes) return false;
-      std::vector<int> corners;
+      std::vector<Corner> corners;
       const std::vector<double> indices = numbers_of(list->text);
-      for (std::size_t i = offset; i < indices.size(); i += stride) {
-        if (!(indices[i] >= 0) || indices[i] >= vertices.count) return false;
-        corners.push_back(vertices.first + static_cast<int>(indices[i]));
+      for (std::size_t i = 0; i + stride <= indices.size(); i += stride) {
+        const double vertex = indices[i + offset], at = indices[i + place_offset];
+        if (!(vertex >= 0) || vertex >= vertices.count) return false;
+        const bool has_place = at >= 0 && at < static_cast<double>(places.size() / 2);
+        corners.push_back(
+            {vertices.first + static_cast<int>(vertex), has_place ? static_cast<int>(at) : -1});
       }
-      if (!add_polygons(faces.name, sizes, corners, mesh)) return false;
+      if (!add_polygons(faces.name, sizes, corners, places, mesh)) return false;
     }
     return bytes_ <= kMostBytes;
   }
@@ -216,23 +237,138 @@ class Reader {
     return mesh.vertices.size() <= 9 * most_;
   }
 
+  /// The two coordinates of each place in a picture that a `TEXCOORD` source lists.
+  std::vector<double> places_of(const XmlElement& input,
+                                const std::map<std::string, const XmlElement*>& parts) {
+    const std::string* name = input.attribute("source");
+    const auto found = name == nullptr ? parts.end() : parts.find(*name);
+    const XmlElement* array =
+        found == parts.end() ? nullptr : document_.child(*found->second, "float_array");
+    if (array == nullptr || (bytes_ += array->text.size()) > kMostBytes) return {};
+    std::size_t step = 2;
+    if (const XmlElement* common = document_.child(*found->second, "technique_common"))
+      if (const XmlElement* accessor = document_.child(*common, "accessor"))
+        if (const std::string* stride = accessor->attribute("stride"))
+          step = std::clamp<std::size_t>(std::strtoul(stride->c_str(), nullptr, 10), 2, 4);
+    const std::vector<double> values = numbers_of(array->text);
+    std::vector<double> places;
+    for (std::size_t i = 0; i + 1 < values.size(); i += step)
+      places.insert(places.end(), {values[i], values[i + 1]});
+    return places;
+  }
+
+  /// The faces that follow look like the material of this list of faces.
+  void begin_part(const XmlElement& faces, const XmlElement& instance, TriangleMesh& mesh) const {
+    const std::string* symbol = faces.attribute("material");
+    MeshPart part = symbol == nullptr ? MeshPart() : look_of(bound_to(*symbol, instance));
+    part.first_face = mesh.faces.size() / 3;
+    if (!mesh.parts.empty() && mesh.parts.back().first_face == part.first_face)
+      mesh.parts.pop_back();
+    const bool says_nothing = !part.diffuse && part.texture.empty();
+    if (says_nothing && mesh.parts.empty()) return;
+    if (mesh.parts.empty() && part.first_face > 0) mesh.parts.emplace_back();
+    mesh.parts.push_back(std::move(part));
+  }
+
+  const XmlElement* bound_to(const std::string& symbol, const XmlElement& instance) const {
+    const XmlElement* bind = document_.child(instance, "bind_material");
+    const XmlElement* common = bind ? document_.child(*bind, "technique_common") : nullptr;
+    if (common != nullptr)
+      for (const XmlElement* one : document_.children(*common, "instance_material"))
+        if (const std::string* name = one->attribute("symbol"); name != nullptr && *name == symbol)
+          return named(*one, "target");
+    const auto found = by_id_.find("#" + symbol);
+    return found == by_id_.end() ? nullptr : found->second;
+  }
+
+  /// The child at a path, or null.
+  const XmlElement* inside(const XmlElement* element,
+                           std::initializer_list<const char*> path) const {
+    for (const char* name : path) element = element ? document_.child(*element, name) : nullptr;
+    return element;
+  }
+
+  MeshPart look_of(const XmlElement* material) const {
+    MeshPart part;
+    const XmlElement* link = inside(material, {"instance_effect"});
+    const XmlElement* effect = link ? named(*link, "url") : nullptr;
+    const XmlElement* profile = inside(effect, {"profile_COMMON"});
+    const XmlElement* technique = inside(profile, {"technique"});
+    for (const char* model : {"phong", "lambert", "blinn"}) {
+      const XmlElement* diffuse = inside(technique, {model, "diffuse"});
+      if (const XmlElement* color = inside(diffuse, {"color"})) {
+        const std::vector<double> v = numbers_of(color->text);
+        if (v.size() >= 3) part.diffuse = Color{v[0], v[1], v[2], v.size() > 3 ? v[3] : 1};
+      }
+      if (const XmlElement* texture = inside(diffuse, {"texture"}))
+        if (const std::string* sampler = texture->attribute("texture")) {
+          part.diffuse = Color();
+          part.texture = picture_of(*profile, *sampler);
+        }
+    }
+    return part;
+  }
+
+  /// A sampler names a surface, which names an image; some writers name the image at once.
+  std::string picture_of(const XmlElement& profile, const std::string& sampler) const {
+    std::string image = sampler;
+    for (const char* kind : {"sampler2D", "surface"})
+      for (const XmlElement* one : document_.children(profile, "newparam")) {
+        const std::string* sid = one->attribute("sid");
+        if (sid == nullptr || *sid != image) continue;
+        const bool is_sampler = std::string_view(kind) == "sampler2D";
+        if (const XmlElement* next = inside(one, {kind, is_sampler ? "source" : "init_from"})) {
+          image = trimmed(next->text);
+          break;
+        }
+      }
+    const auto found = by_id_.find("#" + image);
+    const XmlElement* file = found == by_id_.end() ? nullptr : inside(found->second, {"init_from"});
+    if (file == nullptr) return {};
+    const XmlElement* inner = document_.child(*file, "ref");
+    std::string name = trimmed(inner ? inner->text : file->text);
+    for (const std::string_view prefix : {"file://", "./"})
+      if (name.rfind(prefix, 0) == 0) name.erase(0, prefix.size());
+    return name;
+  }
+
+  static std::string trimmed(const std::string& text) {
+    const std::size_t from = text.find_first_not_of(" \t\r\n");
+    if (from == std::string::npos) return {};
+    return text.substr(from, text.find_last_not_of(" \t\r\n") - from + 1);
+  }
+
   bool add_polygons(const std::string& kind, const std::vector<double>& sizes,
-                    const std::vector<int>& corners, TriangleMesh& mesh) const {
-    std::size_t at = 0, which = 0;
+                    const std::vector<Corner>& corners, const std::vector<double>& places,
+                    TriangleMesh& mesh) const {
+    std::size_t at = 0, polygon = 0;
     while (at < corners.size()) {
       double size = 3;
       if (kind == "polygons") size = static_cast<double>(corners.size());
       if (kind == "polylist") {
-        if (which == sizes.size()) break;
-        size = sizes[which++];
+        if (polygon == sizes.size()) break;
+        size = sizes[polygon++];
       }
       if (!(size >= 1) || size > static_cast<double>(corners.size() - at)) return false;
       for (std::size_t i = 2; i < static_cast<std::size_t>(size); ++i)
-        mesh.faces.insert(mesh.faces.end(), {corners[at], corners[at + i - 1], corners[at + i]});
+        for (const std::size_t which : {at, at + i - 1, at + i})
+          add_corner(corners[which], places, mesh);
       if (mesh.faces.size() > 3 * most_) return false;
       at += static_cast<std::size_t>(size);
     }
     return true;
+  }
+
+  static void add_corner(const Corner& corner, const std::vector<double>& places,
+                         TriangleMesh& mesh) {
+    if (corner.place >= 0) {
+      mesh.uvs.resize(2 * mesh.faces.size());
+      const double* place = &places[2 * static_cast<std::size_t>(corner.place)];
+      // COLLADA counts from below.
+      mesh.uvs.insert(mesh.uvs.end(),
+                      {static_cast<float>(place[0]), static_cast<float>(1 - place[1])});
+    }
+    mesh.faces.push_back(corner.vertex);
   }
 
   /// `VERTEX` names <vertices>, whose `POSITION` names the source.

@@ -18,17 +18,27 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 200'000;
 
-using ReadFile = std::optional<TriangleMesh> (*)(const std::string& bytes, std::size_t most);
+bool is_supported(const std::string& ending) {
+  return ending == "stl" || ending == "obj" || ending == "dae";
+}
 
-/// The reader of a file name extension. Null when the extension is not supported.
-ReadFile reader_of(const std::string& path) {
+/// In lower case.
+std::string ending_of(const std::string& path) {
   std::string ending = path.substr(path.rfind('.') + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char sign) { return static_cast<char>(std::tolower(sign)); });
-  return ending == "stl"   ? read_stl
-         : ending == "obj" ? read_obj
-         : ending == "dae" ? read_dae
-                           : nullptr;
+  return ending;
+}
+
+std::optional<TriangleMesh> read_file(const std::string& path, const std::string& ending) {
+  const auto read = site_resources().read;
+  const auto bytes = read(path);
+  if (!bytes) return std::nullopt;
+  if (ending == "stl") return read_stl(*bytes, kMostTriangles);
+  if (ending == "dae") return read_dae(*bytes, kMostTriangles);
+  return read_obj(*bytes, kMostTriangles, [&](const std::string& name) {
+    return read(path.substr(0, path.rfind('/') + 1) + name);
+  });
 }
 
 }  // namespace
@@ -39,14 +49,13 @@ MeshReader site_meshes(const rclcpp::Logger& logger) {
     if (mesh.path.empty()) return nullptr;
     const auto [found, is_new] = known->try_emplace(mesh.path);
     if (!is_new) return found->second;
-    const ReadFile reader = reader_of(mesh.path);
-    if (reader == nullptr) {
+    const std::string ending = ending_of(mesh.path);
+    if (!is_supported(ending)) {
       RCLCPP_WARN(logger, "mesh [%s] is skipped: only STL, OBJ and COLLADA files are supported",
                   mesh.uri.c_str());
       return nullptr;
     }
-    const auto bytes = site_resources().read(mesh.path);
-    auto read = bytes ? reader(*bytes, kMostTriangles) : std::nullopt;
+    auto read = read_file(mesh.path, ending);
     if (!read) {
       RCLCPP_ERROR(logger, "mesh [%s] cannot be read, or has more than %zu triangles",
                    mesh.uri.c_str(), kMostTriangles);

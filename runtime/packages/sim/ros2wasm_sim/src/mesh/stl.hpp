@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "physics/physics.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace ros2wasm_sim {
 

@@ -11,8 +11,9 @@
 
 namespace ros2wasm_sim {
 
-/// A shape whose friction is not the same in all directions: geom `d7`, by its place in the list.
+/// A shape whose friction is not the same in all directions.
 struct DirectedShape {
+  std::string geom;
   int body = 0;   ///< our number
   double mu = 1;  ///< along `direction`
   double mu2 = 1;
@@ -31,6 +32,8 @@ struct MjcfNames {
   std::vector<int> weightless;                ///< bodies that gravity does not pull
   std::map<std::string, std::string> meshes;  ///< name in the model to path
   std::vector<DirectedShape> directed;
+  /// `model::link::collision` of the geoms `c0`, `c1`, ... A wheel's tread, `c2t`, is part of `c2`.
+  std::vector<std::string> collisions;
 };
 
 struct Mjcf {

@@ -54,12 +54,13 @@ bool has_size(const Geometry& geometry) {
   return true;
 }
 
-/// ` name="d7"` of a shape whose friction has a direction, which is noted; nothing for others.
-std::string direct(const Collision& shape, const Link& link, Mjcf& mjcf) {
+/// Remembers a geom whose friction has a direction.
+void note_direction(const Collision& shape, const Link& link, const std::string& geom, Mjcf& mjcf) {
   const Surface& surface = shape.surface;
   const double size = length(surface.fdir1);
-  if (size < 1e-9 || surface.mu == surface.mu2) return {};
+  if (size < 1e-9 || surface.mu == surface.mu2) return;
   DirectedShape one;
+  one.geom = geom;
   one.body = static_cast<int>(mjcf.names.link_names.size()) - 1;
   one.mu = friction_of(surface);
   one.mu2 = std::clamp(surface.mu2, 0.0, kMostFriction);
@@ -70,7 +71,6 @@ std::string direct(const Collision& shape, const Link& link, Mjcf& mjcf) {
     one.direction = rotate(shape.pose.orientation, one.direction);
   }
   mjcf.names.directed.push_back(one);
-  return " name=\"d" + std::to_string(mjcf.names.directed.size() - 1) + "\"";
 }
 
 std::string bits(std::uint32_t type, std::uint32_t affinity) {
@@ -123,13 +123,17 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   const std::string what = "collision `" + shape.name + "` of link `" + link.name + "`";
   const std::string where = form(shape.geometry, shape.pose, moves, what, mjcf);
   if (where.empty()) return {};
+  const std::string name = "c" + std::to_string(mjcf.names.collisions.size());
+  const std::string& model = mjcf.names.link_names.back().first;
+  mjcf.names.collisions.push_back(model + "::" + link.name + "::" + shape.name);
   const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
                         int group, const std::string& more = {}) {
     const double mu = friction_of(shape.surface);
-    const std::string name = direct(shape, link, mjcf);
-    return "<geom" + name + form + bits(type, affinity) + " group=\"" + std::to_string(group) +
-           "\" priority=\"" + std::to_string(priority(mu)) + "\" friction=\"" + number(mu) +
-           " .005 .0001\"" + more + "/>\n";
+    const std::string geom_name = name + (group == kContactOnlyGroup ? "t" : "");
+    note_direction(shape, link, geom_name, mjcf);
+    return "<geom name=\"" + geom_name + "\"" + form + bits(type, affinity) + " group=\"" +
+           std::to_string(group) + "\" priority=\"" + std::to_string(priority(mu)) +
+           "\" friction=\"" + number(mu) + " .005 .0001\"" + more + "/>\n";
   };
   const Surface& surface = shape.surface;
   colliding_.insert(static_cast<int>(mjcf.names.link_names.size()) - 1);

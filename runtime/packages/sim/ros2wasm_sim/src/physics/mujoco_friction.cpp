@@ -36,13 +36,12 @@ void turn_contact(const mjModel* model, const mjData* data, const FrictionDirect
 
 std::vector<FrictionDirection> friction_directions(const mjModel& model, const MjcfNames& names) {
   std::vector<FrictionDirection> directions;
-  for (std::size_t i = 0; i < names.directed.size(); ++i) {
-    const DirectedShape& shape = names.directed[i];
+  for (const DirectedShape& shape : names.directed) {
     const std::string& owner = names.link_names[shape.body].first;
     const auto frame = names.links.find({owner, shape.frame});
     const int body = frame == names.links.end() ? shape.body : frame->second;
     FrictionDirection one;
-    one.geom = mj_name2id(&model, mjOBJ_GEOM, ("d" + std::to_string(i)).c_str());
+    one.geom = mj_name2id(&model, mjOBJ_GEOM, shape.geom.c_str());
     one.frame = mj_name2id(&model, mjOBJ_BODY, ("b" + std::to_string(body)).c_str());
     one.mu = shape.mu;
     one.mu2 = shape.mu2;

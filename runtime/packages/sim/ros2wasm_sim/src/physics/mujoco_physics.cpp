@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "physics/mjcf.hpp"
+#include "physics/mujoco_forces.hpp"
 #include "physics/mujoco_friction.hpp"
 #include "physics/mujoco_model.hpp"
 #include "physics/mujoco_state.hpp"
@@ -82,6 +83,7 @@ class MujocoPhysics final : public Physics {
       row.motor = {};
       row.effort = 0;
     }
+    forget_forces();
     apply_motors();
     refresh();
   }
@@ -258,6 +260,23 @@ class MujocoPhysics final : public Physics {
     }
   }
 
+  bool is_near(const Vector3& point, double distance, RaySees sees,
+               LinkHandle exclude) const override {
+    const int group = sees == RaySees::kCollisions ? kCollisionGroup : kVisualGroup;
+    return is_geom_near(*model_, *data_, point, distance, group, body_of(exclude));
+  }
+
+  void watch_contacts() override { watches_contacts_ = true; }
+  void watch_wrench(LinkHandle child) override {
+    if (child.valid()) links_[child.index].is_watched = true;
+  }
+  std::vector<Contact> contacts() const override {
+    return contacts_between(touches_, names_.collisions);
+  }
+  Wrench wrench(LinkHandle child) const override {
+    return child.valid() ? links_[child.index].wrench : Wrench{};
+  }
+
   std::uint64_t state_hash() const override { return hash_of_state(*model_, *data_); }
 
  private:
@@ -273,6 +292,7 @@ class MujocoPhysics final : public Physics {
     data_ = std::move(data);
     names_ = std::move(written.names);
     limits_ = limits;
+    forget_forces();
     refresh_handles();
     for (const Model& one : world.models)
       for (const Joint& joint : one.joints)
@@ -292,10 +312,11 @@ class MujocoPhysics final : public Physics {
       joints_[row->second].effort_limit = limit >= 0 ? limit : kInfinity;
   }
 
-  /// All that follows from positions and velocities.
+  /// All that follows from positions and velocities, accelerations too.
   void refresh() {
     is_moved_ = false;
     begin_step(model_.get(), data_.get(), directions_);
+    mj_forwardSkip(model_.get(), data_.get(), mjSTAGE_VEL, 1);
   }
 
   /// The spare welds hold what is attached, as far as it is there.
@@ -366,6 +387,7 @@ class MujocoPhysics final : public Physics {
     // A model that comes back with the same name begins without commands.
     for (JointRow& row : joints_)
       if (row.id < 0) row.motor = {};
+    collision_of_geom_ = collisions_of_geoms(*model_);
     weightless_.clear();
     for (const int number : names_.weightless) weightless_.push_back(bodies_[number]);
   }
@@ -390,7 +412,7 @@ class MujocoPhysics final : public Physics {
   /// The first half of MuJoCo's step comes last, so that poses, velocities and contacts are those
   /// of the new state; refresh() has done it before the first step.
   void step_once() {
-    if (is_moved_) refresh();
+    if (std::exchange(is_moved_, false)) begin_step(model_.get(), data_.get(), directions_);
     drive_motors();
     for (const int body : weightless_) {
       mjtNum* applied = data_->xfrc_applied + 6 * body;
@@ -398,6 +420,7 @@ class MujocoPhysics final : public Physics {
     }
     mj_step2(model_.get(), data_.get());
     read_efforts();
+    measure_forces();
     std::fill_n(data_->xfrc_applied, 6 * model_->nbody, 0.0);
     std::fill_n(data_->qfrc_applied, model_->nv, 0.0);
     begin_step(model_.get(), data_.get(), directions_);
@@ -423,6 +446,22 @@ class MujocoPhysics final : public Physics {
       const int row = joint.motor.on ? motor_rows_[joint.dof] : -1;
       joint.effort = (row >= 0 ? data_->efc_force[row] : 0) + data_->qfrc_applied[joint.dof];
     }
+  }
+
+  /// Between the halves of a step, as the next one begins with other contacts.
+  void measure_forces() {
+    if (watches_contacts_) read_touches(*model_, *data_, collision_of_geom_, touches_);
+    if (std::none_of(links_.begin(), links_.end(),
+                     [](const LinkRow& row) { return row.is_watched; }))
+      return;
+    mj_rnePostConstraint(model_.get(), data_.get());
+    for (LinkRow& row : links_)
+      if (row.is_watched && row.body >= 0) row.wrench = wrench_of_parent(*model_, *data_, row.body);
+  }
+
+  void forget_forces() {
+    touches_.clear();
+    for (LinkRow& row : links_) row.wrench = {};
   }
 
   /// More work memory, for worlds with many contacts. False when it is as large as it may be.
@@ -505,6 +544,9 @@ class MujocoPhysics final : public Physics {
   std::map<std::pair<std::string, std::string>, std::size_t> joint_rows_;
   std::vector<int> weightless_;
   std::vector<int> motor_rows_;
+  bool watches_contacts_ = false;
+  std::vector<int> collision_of_geom_;  ///< -1 for those that are only seen
+  std::vector<Touch> touches_;
   std::vector<Weld> welds_;
   std::vector<FrictionDirection> directions_;
   bool is_moved_ = false;  ///< positions or constraints were set after the last refresh()

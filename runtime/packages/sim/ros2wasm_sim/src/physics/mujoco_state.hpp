@@ -32,8 +32,10 @@ struct JointRow {
 };
 
 struct LinkRow {
-  std::string model, name;
+  std::string model = {}, name = {};
   int body = -1;
+  bool is_watched = false;
+  Wrench wrench = {};  ///< of the last step, when it is watched
 };
 
 /// Where the parts of a world are, by model and name.

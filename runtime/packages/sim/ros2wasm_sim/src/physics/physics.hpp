@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "world/world.hpp"
 
 namespace ros2wasm_sim {
@@ -35,6 +36,25 @@ struct Motion {
   Vector3 angular;  ///< rad/s, or rad/s^2
 };
 
+struct Wrench {
+  Vector3 force;   ///< N
+  Vector3 torque;  ///< N m
+};
+
+/// A point where two collisions touch, in the world, as in Gazebo: normals and wrenches are those
+/// that push the first collision away from the second.
+struct ContactPoint {
+  Vector3 position;
+  Vector3 normal;    ///< of length 1, into the first collision
+  double depth = 0;  ///< metres
+  Wrench wrench;     ///< on the first collision, about `position`
+};
+/// Names are `model::link::collision`; they are valid until the next step or world.
+struct Contact {
+  std::string_view first, second;
+  std::vector<ContactPoint> points;
+};
+
 /// Which shapes a ray meets: those that collide, or those that are seen.
 enum class RaySees { kCollisions, kVisuals };
 
@@ -42,13 +62,6 @@ struct Ray {
   Vector3 origin;
   Vector3 direction;  ///< of length 1
 };
-
-/// The triangles of a mesh: three coordinates a vertex, three vertices a face.
-struct TriangleMesh {
-  std::vector<float> vertices;
-  std::vector<int> faces;
-};
-using MeshReader = std::function<std::shared_ptr<const TriangleMesh>(const Mesh& mesh)>;
 
 class Physics {
  public:
@@ -115,6 +128,20 @@ class Physics {
   /// Metres to what each ray meets first, or infinity. Nothing of `exclude` is met.
   virtual void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
                     std::vector<double>& distances) = 0;
+
+  /// False: no shape is nearer to the point than this. Nothing of `exclude` counts. True may be
+  /// wrong for meshes, whose bounding sphere counts.
+  virtual bool is_near(const Vector3& point, double distance, RaySees sees,
+                       LinkHandle exclude) const = 0;
+
+  /// contacts() and wrench() are measured from the next step on.
+  virtual void watch_contacts() = 0;
+  virtual void watch_wrench(LinkHandle child) = 0;
+  /// The collisions that touched in the last step, each pair once.
+  virtual std::vector<Contact> contacts() const = 0;
+  /// The wrench in the joint of a link in the last step: how its parent acts on it, along the axes
+  /// of the link and about its origin.
+  virtual Wrench wrench(LinkHandle child) const = 0;
 
   /// A digest of all positions and velocities.
   virtual std::uint64_t state_hash() const = 0;

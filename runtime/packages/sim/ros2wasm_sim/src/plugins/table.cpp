@@ -16,20 +16,25 @@ struct PluginRow {
   std::string_view
       name;  ///< of the library without `lib` and `.so`, or of the class without its namespaces
   MakePlugin make;
+  bool is_of_sensor = false;  ///< it needs a <sensor> of a link around it
 };
 
 constexpr std::array kPlugins{
     PluginRow{Flavour::kClassic, "gazebo_ros_ackermann_drive", make_classic_ackermann_drive},
+    PluginRow{Flavour::kClassic, "gazebo_ros_bumper", make_classic_bumper, true},
+    PluginRow{Flavour::kClassic, "gazebo_ros_camera", make_classic_camera, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_diff_drive", make_classic_diff_drive},
     PluginRow{Flavour::kClassic, "gazebo_ros_force", make_classic_force},
-    PluginRow{Flavour::kClassic, "gazebo_ros_imu_sensor", make_classic_imu_sensor},
+    PluginRow{Flavour::kClassic, "gazebo_ros_ft_sensor", make_classic_ft_sensor},
+    PluginRow{Flavour::kClassic, "gazebo_ros_gps_sensor", make_classic_gps_sensor, true},
+    PluginRow{Flavour::kClassic, "gazebo_ros_imu_sensor", make_classic_imu_sensor, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_joint_pose_trajectory",
               make_classic_joint_pose_trajectory},
     PluginRow{Flavour::kClassic, "gazebo_ros_joint_state_publisher",
               make_classic_joint_state_publisher},
     PluginRow{Flavour::kClassic, "gazebo_ros_p3d", make_classic_p3d},
     PluginRow{Flavour::kClassic, "gazebo_ros_planar_move", make_classic_planar_move},
-    PluginRow{Flavour::kClassic, "gazebo_ros_ray_sensor", make_classic_ray_sensor},
+    PluginRow{Flavour::kClassic, "gazebo_ros_ray_sensor", make_classic_ray_sensor, true},
     PluginRow{Flavour::kSim, "AckermannSteering", make_ackermann_steering},
     PluginRow{Flavour::kSim, "ApplyJointForce", make_apply_joint_force},
     PluginRow{Flavour::kSim, "DetachableJoint", make_detachable_joint},
@@ -54,36 +59,39 @@ constexpr std::array kWorldPlugins{
 struct SensorRow {
   std::string_view type;
   MakePlugin make;
-  std::string_view system;  ///< of the world that brings it to life
+  std::string_view system;               ///< of the world that brings it to life
+  std::string_view library = "sensors";  ///< of that system, as in gz-sim-sensors-system
 };
 
 /// The sensors of Gazebo Sim. In Gazebo Classic the plugin of a sensor publishes what it measures.
 constexpr std::array kSensors{
+    SensorRow{"air_pressure", make_gz_air_pressure, "AirPressure", "air-pressure"},
+    SensorRow{"altimeter", make_gz_altimeter, "Altimeter", "altimeter"},
+    SensorRow{"camera", make_gz_camera, "Sensors"},
+    SensorRow{"contact", make_gz_contact, "Contact", "contact"},
+    SensorRow{"depth", make_gz_depth_camera, "Sensors"},
+    SensorRow{"depth_camera", make_gz_depth_camera, "Sensors"},
+    SensorRow{"force_torque", make_gz_force_torque, "ForceTorque", "forcetorque"},
+    SensorRow{"gps", make_gz_navsat, "NavSat", "navsat"},
     SensorRow{"gpu_lidar", make_gz_lidar, "Sensors"},
     SensorRow{"gpu_ray", make_gz_lidar, "Sensors"},
-    SensorRow{"imu", make_gz_imu, "Imu"},
+    SensorRow{"imu", make_gz_imu, "Imu", "imu"},
     SensorRow{"lidar", make_gz_lidar, "Sensors"},
+    SensorRow{"magnetometer", make_gz_magnetometer, "Magnetometer", "magnetometer"},
+    SensorRow{"navsat", make_gz_navsat, "NavSat", "navsat"},
     SensorRow{"ray", make_gz_lidar, "Sensors"},
+    SensorRow{"rgbd", make_gz_rgbd_camera, "Sensors"},
+    SensorRow{"rgbd_camera", make_gz_rgbd_camera, "Sensors"},
 };
 
 /// Plugins whose work the simulator does itself, or that are for a window that a site does not
 /// have.
-constexpr std::array<std::string_view, 13> kBuiltIn{"Physics",
-                                                    "UserCommands",
-                                                    "SceneBroadcaster",
-                                                    "Sensors",
-                                                    "Imu",
-                                                    "Contact",
-                                                    "NavSat",
-                                                    "ForceTorque",
-                                                    "Altimeter",
-                                                    "Magnetometer",
-                                                    "gazebo_ros_init",
-                                                    "gazebo_ros_factory",
-                                                    "gazebo_ros_force_system"};
+constexpr std::string_view kBuiltIn[]{
+    "Physics",         "UserCommands",       "SceneBroadcaster",
+    "gazebo_ros_init", "gazebo_ros_factory", "gazebo_ros_force_system"};
 
 bool is_built_in(std::string_view name) {
-  return std::find(kBuiltIn.begin(), kBuiltIn.end(), name) != kBuiltIn.end();
+  return std::find(std::begin(kBuiltIn), std::end(kBuiltIn), name) != std::end(kBuiltIn);
 }
 
 std::string without_affixes(std::string name) {
@@ -114,11 +122,20 @@ std::string sim_name(const Plugin& plugin) {
   return name;
 }
 
+/// The system of a row, by its class or, without one, by its library.
+bool is_system_of(const Plugin& plugin, const SensorRow& row) {
+  if (plugin.name.find("::") != std::string::npos) return sim_name(plugin) == row.system;
+  const std::string end = "-" + std::string(row.library) + "-system";
+  const std::string library = without_affixes(plugin.filename);
+  return library.size() > end.size() &&
+         library.compare(library.size() - end.size(), end.size(), end) == 0;
+}
+
 /// Makes the plugins of one model or world.
 class Maker {
  public:
-  Maker(Host& host, Flavour flavour, Simulation& simulation)
-      : host_(host), flavour_(flavour), simulation_(simulation) {}
+  Maker(Host& host, Flavour flavour, Simulation& simulation, SharedScene& scene)
+      : host_(host), flavour_(flavour), simulation_(simulation), scene_(scene) {}
 
   void add_plugin(const Plugin& plugin, const Model* model, const Link* link,
                   const Sensor* sensor) {
@@ -129,11 +146,15 @@ class Maker {
     };
     const auto row = std::find_if(kPlugins.begin(), kPlugins.end(), is_named);
     const auto of_world = std::find_if(kWorldPlugins.begin(), kWorldPlugins.end(), is_named);
-    if (row != kPlugins.end() && model != nullptr) {
-      make(row->make, {simulation_, host_, plugin, model, link, sensor});
+    if (row != kPlugins.end() && row->is_of_sensor && link == nullptr) {
+      RCLCPP_ERROR(host_.node()->get_logger(),
+                   "plugin [%s] (%s) does not work here: it must be inside a <sensor> of a link",
+                   plugin.name.c_str(), plugin.filename.c_str());
+    } else if (row != kPlugins.end() && model != nullptr) {
+      make(row->make, {simulation_, host_, scene_, plugin, model, link, sensor});
     } else if (of_world != kWorldPlugins.end() && model == nullptr) {
-      make(of_world->make, {simulation_, host_, plugin, nullptr, nullptr, nullptr});
-    } else if (!is_built_in(name)) {
+      make(of_world->make, {simulation_, host_, scene_, plugin, nullptr, nullptr, nullptr});
+    } else if (!is_built_in(name) && !brings_sensors_to_life(plugin)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
       RCLCPP_WARN(host_.node()->get_logger(),
                   "plugin [%s] (%s) is skipped: the simulator does not have it",
@@ -141,8 +162,9 @@ class Maker {
     }
   }
 
-  void add_sensor(const Sensor& sensor, const Model& model, const Link& link) {
-    for (const Plugin& plugin : sensor.plugins) add_plugin(plugin, &model, &link, &sensor);
+  /// A sensor is of a link or of a joint; the other one is null.
+  void add_sensor(const Sensor& sensor, const Model& model, const Link* link, const Joint* joint) {
+    for (const Plugin& plugin : sensor.plugins) add_plugin(plugin, &model, link, &sensor);
     if (flavour_ == Flavour::kClassic) return;
     const auto row = std::find_if(kSensors.begin(), kSensors.end(),
                                   [&](const SensorRow& one) { return one.type == sensor.type; });
@@ -152,17 +174,24 @@ class Maker {
                   sensor.name.c_str(), sensor.type.c_str());
       return;
     }
-    if (!world_has(row->system)) {
+    if (!world_has(*row)) {
       RCLCPP_WARN(host_.node()->get_logger(),
                   "sensor [%s] of type [%s] is silent: the world lacks <plugin "
                   "filename=\"gz-sim-%s-system\" "
                   "name=\"gz::sim::systems::%s\"/>",
-                  sensor.name.c_str(), sensor.type.c_str(),
-                  row->system == "Imu" ? "imu" : "sensors", std::string(row->system).c_str());
+                  sensor.name.c_str(), sensor.type.c_str(), std::string(row->library).c_str(),
+                  std::string(row->system).c_str());
+      return;
+    }
+    const bool is_of_joint = row->system == "ForceTorque";
+    if (is_of_joint != (joint != nullptr)) {
+      RCLCPP_WARN(host_.node()->get_logger(),
+                  "sensor [%s] of type [%s] is skipped: it must be in a <%s>", sensor.name.c_str(),
+                  sensor.type.c_str(), is_of_joint ? "joint" : "link");
       return;
     }
     const Plugin none;
-    make(row->make, {simulation_, host_, none, &model, &link, &sensor});
+    make(row->make, {simulation_, host_, scene_, none, &model, link, &sensor, joint});
   }
 
   std::vector<std::unique_ptr<System>> systems;
@@ -179,15 +208,22 @@ class Maker {
   }
 
   /// Upstream: a world with any plugin has only those that it lists.
-  bool world_has(std::string_view system) const {
+  bool world_has(const SensorRow& row) const {
     const auto& plugins = simulation_.world().plugins;
     return std::any_of(plugins.begin(), plugins.end(),
-                       [&](const Plugin& plugin) { return sim_name(plugin) == system; });
+                       [&](const Plugin& plugin) { return is_system_of(plugin, row); });
+  }
+
+  bool brings_sensors_to_life(const Plugin& plugin) const {
+    return flavour_ == Flavour::kSim &&
+           std::any_of(kSensors.begin(), kSensors.end(),
+                       [&](const SensorRow& row) { return is_system_of(plugin, row); });
   }
 
   Host& host_;
   Flavour flavour_;
   Simulation& simulation_;
+  SharedScene& scene_;
 };
 
 }  // namespace
@@ -201,16 +237,18 @@ JointHandle joint_of(const PluginContext& context, const std::string& name) {
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
                                                              Simulation& simulation) {
-  Maker maker(host_, flavour_, simulation);
+  Maker maker(host_, flavour_, simulation, scene_);
   for (const Link& link : model.links)
-    for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, link);
+    for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, &link, nullptr);
+  for (const Joint& joint : model.joints)
+    for (const Sensor& sensor : joint.sensors) maker.add_sensor(sensor, model, nullptr, &joint);
   for (const Plugin& plugin : model.plugins) maker.add_plugin(plugin, &model, nullptr, nullptr);
   return std::move(maker.systems);
 }
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const World& world,
                                                              Simulation& simulation) {
-  Maker maker(host_, flavour_, simulation);
+  Maker maker(host_, flavour_, simulation, scene_);
   for (const Plugin& plugin : world.plugins) maker.add_plugin(plugin, nullptr, nullptr, nullptr);
   return std::move(maker.systems);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/simulation.hpp"
+#include "plugins/plugin.hpp"
 #include "ros/host.hpp"
 
 namespace ros2wasm_sim {
@@ -14,7 +15,9 @@ enum class Flavour { kClassic, kSim };
 
 class PluginTable final : public SystemMaker {
  public:
-  PluginTable(Host& host, Flavour flavour) : host_(host), flavour_(flavour) {}
+  /// `files` are what cameras draw.
+  PluginTable(Host& host, Flavour flavour, SceneFiles files)
+      : host_(host), flavour_(flavour), scene_(std::move(files)) {}
 
   std::vector<std::unique_ptr<System>> systems_of(const Model& model,
                                                   Simulation& simulation) override;
@@ -24,6 +27,7 @@ class PluginTable final : public SystemMaker {
  private:
   Host& host_;
   Flavour flavour_;
+  SharedScene scene_;
 };
 
 }  // namespace ros2wasm_sim

@@ -2,6 +2,7 @@
 #include "ros/server.hpp"
 
 #include "mesh/read_mesh.hpp"
+#include "ros/resources.hpp"
 
 namespace ros2wasm_sim {
 
@@ -14,8 +15,9 @@ int run_server(const ServerSettings& settings) {
   auto world = settings.load(node->get_logger());
   if (!world) return kFailed;
   try {
-    PluginTable table(host, settings.flavour);
-    Simulation simulation(std::move(*world), make_physics(site_meshes(node->get_logger())), table);
+    const MeshReader meshes = site_meshes(node->get_logger());
+    PluginTable table(host, settings.flavour, {meshes, site_resources().read});
+    Simulation simulation(std::move(*world), make_physics(meshes), table);
     const std::shared_ptr<void> offered = settings.offer(host, simulation);
     executor.spin();
   } catch (const PhysicsError& error) {

@@ -208,8 +208,14 @@ Light read_light(Context& context, const Node& node) {
   light.direction = vector3(context, node, "direction", light.direction);
   light.intensity = number(context, node, "intensity", light.intensity, Range::kNotNegative);
   light.cast_shadows = boolean(context, node, "cast_shadows", light.cast_shadows);
-  light.range =
-      number(context, child(node, "attenuation"), "range", light.range, Range::kNotNegative);
+  const Node attenuation = child(node, "attenuation");
+  const auto fade = [&](const char* name, double otherwise) {
+    return number(context, attenuation, name, otherwise, Range::kNotNegative);
+  };
+  light.range = fade("range", light.range);
+  light.constant = fade("constant", light.constant);
+  light.linear = fade("linear", light.linear);
+  light.quadratic = fade("quadratic", light.quadratic);
   const Node spot = child(node, "spot");
   light.inner_angle = number(context, spot, "inner_angle", light.inner_angle);
   light.outer_angle = number(context, spot, "outer_angle", light.outer_angle);

@@ -93,6 +93,7 @@ void read_pbr(Context& context, const Node& pbr, bool has_color, Material& mater
 Material plain_material(const Color& color) {
   Material result;
   result.ambient = result.diffuse = color;
+  result.is_given = true;
   return result;
 }
 
@@ -106,6 +107,7 @@ Material named_material(Context& context, const Node& where, const std::string& 
     word.remove_suffix(glows ? glow.size() : 0);
     if (const NamedColor* color = color_named(word)) {
       Material result;
+      result.is_given = true;
       result.ambient = color->ambient;
       result.diffuse = color->diffuse;
       const bool is_lamp = word == "LightOn" || word == "LightOff";
@@ -132,6 +134,7 @@ Material read_material(Context& context, const Node& node) {
   result.specular = color(context, node, "specular", result.specular);
   result.emissive = color(context, node, "emissive", result.emissive);
   read_pbr(context, child(node, "pbr"), has_diffuse || has_ambient, result);
+  result.is_given = result.is_given || has_diffuse || has_ambient || has_pbr;
   return result;
 }
 

@@ -77,7 +77,9 @@ const std::vector<double>& Lidar::measure() {
             : std::clamp(noise_.apply(range, random_), settings_.range_min, settings_.range_max);
   }
   if (settings_.range_min <= 0) return ranges_;
-  // Nearer things count too, unless they are part of the link that carries the sensor.
+  // Nearer things count too, unless they are part of the link that carries the sensor. Mostly
+  // nothing is near, so that one cast is enough.
+  if (!physics_.is_near(pose.position, settings_.range_min, sees_, link_)) return ranges_;
   cast(pose, 0);
   physics_.cast(rays_, sees_, link_, distances_);
   for (std::size_t i = 0; i < distances_.size(); ++i)

@@ -6,19 +6,12 @@
 #include <cstring>
 #include <limits>
 
+#include "sensors/point_fields.hpp"
+
 namespace ros2wasm_sim {
 namespace {
 
 using sensor_msgs::msg::PointField;
-
-PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
-  PointField result;
-  result.name = name;
-  result.offset = offset;
-  result.datatype = type;
-  result.count = 1;
-  return result;
-}
 
 void put(std::vector<std::uint8_t>& data, std::size_t at, float value) {
   std::memcpy(data.data() + at, &value, sizeof value);
@@ -60,9 +53,9 @@ sensor_msgs::msg::LaserScan scan_message(const LidarSettings& settings,
 sensor_msgs::msg::PointCloud2 dense_cloud_message(const LidarSettings& settings,
                                                   const std::vector<double>& ranges) {
   sensor_msgs::msg::PointCloud2 message;
-  message.fields = {field("x", 0, PointField::FLOAT32), field("y", 4, PointField::FLOAT32),
-                    field("z", 8, PointField::FLOAT32),
-                    field("intensity", 12, PointField::FLOAT32)};
+  message.fields = {
+      point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
+      point_field("z", 8, PointField::FLOAT32), point_field("intensity", 12, PointField::FLOAT32)};
   message.point_step = 16;
   message.height = 1;
   message.is_dense = true;
@@ -82,9 +75,10 @@ sensor_msgs::msg::PointCloud2 dense_cloud_message(const LidarSettings& settings,
 sensor_msgs::msg::PointCloud2 organized_cloud_message(const LidarSettings& settings,
                                                       const std::vector<double>& ranges) {
   sensor_msgs::msg::PointCloud2 message;
-  message.fields = {field("x", 0, PointField::FLOAT32), field("y", 4, PointField::FLOAT32),
-                    field("z", 8, PointField::FLOAT32), field("intensity", 16, PointField::FLOAT32),
-                    field("ring", 20, PointField::UINT16)};
+  message.fields = {
+      point_field("x", 0, PointField::FLOAT32), point_field("y", 4, PointField::FLOAT32),
+      point_field("z", 8, PointField::FLOAT32), point_field("intensity", 16, PointField::FLOAT32),
+      point_field("ring", 20, PointField::UINT16)};
   message.point_step = 24;
   message.width = static_cast<std::uint32_t>(settings.samples);
   message.height = static_cast<std::uint32_t>(settings.rows);

@@ -18,14 +18,17 @@ class Random {
       state_ = (state_ ^ static_cast<unsigned char>(sign)) * 1099511628211ULL;
   }
 
-  /// In [0, 1).
-  double uniform() {
+  /// 64 random bits.
+  std::uint64_t bits() {
     state_ += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state_;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
+    return z ^ (z >> 31);
   }
+
+  /// In [0, 1).
+  double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
   /// With mean 0 and deviation 1 (Box and Muller).
   double gaussian() {

@@ -91,7 +91,8 @@ struct Material {
   Color emissive{0, 0, 0, 1};
   double roughness = 0.5;
   double metalness = 0;
-  std::string texture;  ///< the file of the colours that was found, or empty
+  std::string texture;    ///< the file of the colours that was found, or empty
+  bool is_given = false;  ///< it wins over the colours that a mesh file has
 };
 
 struct Collision {
@@ -146,7 +147,10 @@ struct Light {
   Color diffuse;
   Color specular{0.1, 0.1, 0.1, 1};
   Vector3 direction{0, 0, -1};
-  double range = 10;
+  double range = 10;  ///< metres; nothing further away is lit
+  /// It fades with the distance d as 1 / (constant + linear d + quadratic d^2); not a directional
+  /// one.
+  double constant = 1, linear = 1, quadratic = 0;
   double intensity = 1;
   double inner_angle = 0, outer_angle = 0;
   bool cast_shadows = false;

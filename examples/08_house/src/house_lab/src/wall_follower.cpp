@@ -6,6 +6,7 @@
 
 #include "geometry_msgs/msg/twist.hpp"
 #include "nav_msgs/msg/odometry.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "sensor_msgs/msg/laser_scan.hpp"
 #include "std_msgs/msg/float64.hpp"
@@ -15,7 +16,7 @@ class WallFollower : public rclcpp::Node {
   WallFollower() : Node("wall_follower") {
     declare_parameter("enabled", false);
     declare_parameter("distance", 0.5, described("to the wall, in metres", 0.25, 1.5));
-    declare_parameter("speed", 0.25, described("m/s", 0.0, 0.5));
+    declare_parameter("speed", 0.35, described("m/s", 0.0, 0.5));
     declare_parameter("k", 2.0, described("rad/s for a metre too far", 0.0, 10.0));
     declare_parameter("damping", 1.5, described("rad/s for a radian away from the wall's direction", 0.0, 5.0));
     commands_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
@@ -55,8 +56,8 @@ class WallFollower : public rclcpp::Node {
       return;
     }
     if (!was_enabled_) {
-      turned_ = way_ = 0;
-      went_around_ = false;
+      way_ = 0;
+      found_ = went_around_ = false;
     }
     was_enabled_ = true;
     const double wanted = get_parameter("distance").as_double(), speed = get_parameter("speed").as_double();
@@ -65,13 +66,18 @@ class WallFollower : public rclcpp::Node {
     distance.data = right;
     distances_->publish(distance);
 
+    if (!found_ && right < 1.3 * wanted) {
+      found_ = true;
+      way_ = 0;
+    }
+
     geometry_msgs::msg::Twist command;
     if (ahead < wanted + 0.1) {
       command.angular.z = 0.8;  // a corner, or something in the way: to the left
     } else if (std::isinf(right) || right > 2 * wanted) {
       // The wall ends, or there is none yet: around its edge, or on to the next one.
       command.linear.x = speed;
-      command.angular.z = way_ > 0.5 && behind_right < 2 * wanted ? -speed / wanted : (way_ > 0.5 ? -0.3 : 0);
+      command.angular.z = !found_ ? 0 : behind_right < 2 * wanted ? -speed / wanted : -0.3;
     } else {
       command.linear.x = speed;
       const double towards = std::atan2(behind_right * 0.6 - right * 0.6, 0.5);
@@ -82,25 +88,25 @@ class WallFollower : public rclcpp::Node {
     commands_->publish(command);
   }
 
-  /// Once around a room is a way of at least 10 m that ends where it began.
+  /// Once around the house is a way of at least 15 m along the wall that ends where it began.
   void count_turns(const nav_msgs::msg::Odometry& odometry) {
     const auto& p = odometry.pose.pose.position;
-    if (was_enabled_) {
-      way_ += std::hypot(p.x - x_, p.y - y_);
-      if (way_ < 2) {
+    way_ += std::hypot(p.x - x_, p.y - y_);
+    if (was_enabled_ && found_) {
+      if (way_ < 0.5) {
         first_x_ = p.x;
         first_y_ = p.y;
-      } else if (!went_around_ && way_ > 10 && std::hypot(p.x - first_x_, p.y - first_y_) < 0.4) {
+      } else if (!went_around_ && way_ > 15 && std::hypot(p.x - first_x_, p.y - first_y_) < 0.4) {
         went_around_ = true;
-        RCLCPP_INFO(get_logger(), "once around: %.1f m", way_ - 2);
+        RCLCPP_INFO(get_logger(), "once around: %.1f m", way_);
       }
     }
     x_ = p.x;
     y_ = p.y;
   }
 
-  double x_ = 0, y_ = 0, first_x_ = 0, first_y_ = 0, way_ = 0, turned_ = 0;  // metres, radians
-  bool was_enabled_ = false, went_around_ = false;
+  double x_ = 0, y_ = 0, first_x_ = 0, first_y_ = 0, way_ = 0;  // metres
+  bool was_enabled_ = false, found_ = false, went_around_ = false;
   rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr commands_;
   rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr distances_;
   rclcpp::Subscription<sensor_msgs::msg::LaserScan>::SharedPtr scans_;

@@ -42,7 +42,7 @@ Arguments read(const std::vector<std::string>& words) {
       const std::string plugin = value();
       result.options.init |= plugin.find("gazebo_ros_init") != std::string::npos;
       result.options.factory |= plugin.find("gazebo_ros_factory") != std::string::npos;
-      result.options.state |= plugin.find("gazebo_ros_state") != std::string::npos;
+      result.options.forces |= plugin.find("gazebo_ros_force_system") != std::string::npos;
     } else if (word == "--seed") {
       result.seed = std::strtoull(value().c_str(), nullptr, 10);
     } else if (word == "--initial_sim_time") {
@@ -61,7 +61,7 @@ Arguments read(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments arguments = read(rclcpp::init_and_remove_ros_arguments(argc, argv));
+  const Arguments arguments = read(rclcpp::init_and_remove_ros_arguments(argc, argv));
   ServerSettings settings;
   settings.node = "gazebo";
   settings.seed = arguments.seed;
@@ -71,8 +71,6 @@ int main(int argc, char** argv) {
     // Gazebo Classic follows its update rate, not the factor that is written.
     world->physics.real_time_factor =
         world->physics.real_time_update_rate.value_or(1000) * world->physics.max_step_size;
-    for (const Plugin& plugin : world->plugins)
-      arguments.options.state |= plugin.filename.find("gazebo_ros_state") != std::string::npos;
     return world;
   };
   settings.offer = [&](Host& host, Simulation& simulation) {

@@ -59,6 +59,29 @@ bool Simulation::remove(const std::string& name) {
   return true;
 }
 
+void Simulation::change(const std::string& name, const std::function<void(Model& model)>& change) {
+  for (Model& model : world_.models) {
+    if (model.name != name) continue;
+    const Model before = model;
+    change(model);
+    try {
+      physics_->set_world(world_);
+    } catch (const PhysicsError&) {
+      model = before;
+      throw;
+    }
+  }
+}
+
+bool Simulation::set_light_color(const std::string& name, const Color& diffuse) {
+  for (Light& light : world_.lights)
+    if (light.name == name) {
+      light.diffuse = diffuse;
+      return true;
+    }
+  return false;
+}
+
 void Simulation::reset_time() {
   steps_ = 0;
   start_ns_ = 0;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "physics/physics.hpp"
@@ -82,6 +84,13 @@ class Simulation {
   /// Throws PhysicsError, and then nothing has changed.
   void add(Model model);
   bool remove(const std::string& model);
+
+  /// Takes a system of the world, which acts after those that are there.
+  void add(std::unique_ptr<System> system) { systems_.push_back({{}, std::move(system)}); }
+  /// Gives a model other properties; its state goes on. Throws PhysicsError, and then nothing has
+  /// changed.
+  void change(const std::string& model, const std::function<void(Model& model)>& change);
+  bool set_light_color(const std::string& light, const Color& diffuse);
 
   void reset_time();
   void reset_poses();

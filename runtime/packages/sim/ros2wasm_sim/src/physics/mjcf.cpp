@@ -254,6 +254,8 @@ Mjcf write_mjcf(const World& world, const MeshReader& meshes, const MjcfLimits& 
     writer.write();
     equalities += writer.equalities_;
   }
+  if (!mjcf.names.link_names.empty())
+    for (int i = 0; i < kSpareWelds; ++i) equalities += "<weld body1=\"b0\" active=\"false\"/>\n";
   const double step = world.physics.max_step_size;
   // Limits and motors answer within two steps, which is as quick as the engine can be. Contacts
   // keep its time constant, as stacks of boxes shake with a shorter one, but give way less.

@@ -11,6 +11,16 @@
 
 namespace ros2wasm_sim {
 
+/// A shape whose friction is not the same in all directions.
+struct DirectedShape {
+  std::string geom;
+  int body = 0;   ///< our number
+  double mu = 1;  ///< along `direction`
+  double mu2 = 1;
+  Vector3 direction;  ///< of length 1, in the link `frame` of the same model
+  std::string frame;
+};
+
 /// A name of a world, and the number that its parts have in the model: body `b7`, joint `j3`.
 struct MjcfNames {
   std::map<std::pair<std::string, std::string>, int> links;   ///< (model, link)
@@ -21,6 +31,7 @@ struct MjcfNames {
   std::vector<std::pair<std::string, std::string>> link_names;  ///< of the bodies, by number
   std::vector<int> weightless;                ///< bodies that gravity does not pull
   std::map<std::string, std::string> meshes;  ///< name in the model to path
+  std::vector<DirectedShape> directed;
   /// `model::link::collision` of the geoms `c0`, `c1`, ... A wheel's tread, `c2t`, is part of `c2`.
   std::vector<std::string> collisions;
 };
@@ -36,6 +47,9 @@ struct Mjcf {
 constexpr int kCollisionGroup = 0;
 constexpr int kContactOnlyGroup = 1;
 constexpr int kVisualGroup = 2;
+
+/// Welds that hold nothing until links are attached to each other.
+constexpr int kSpareWelds = 8;
 
 /// The sizes of the engine's work memory.
 struct MjcfLimits {

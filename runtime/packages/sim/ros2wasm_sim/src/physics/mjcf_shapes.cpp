@@ -54,6 +54,25 @@ bool has_size(const Geometry& geometry) {
   return true;
 }
 
+/// Remembers a geom whose friction has a direction.
+void note_direction(const Collision& shape, const Link& link, const std::string& geom, Mjcf& mjcf) {
+  const Surface& surface = shape.surface;
+  const double size = length(surface.fdir1);
+  if (size < 1e-9 || surface.mu == surface.mu2) return;
+  DirectedShape one;
+  one.geom = geom;
+  one.body = static_cast<int>(mjcf.names.link_names.size()) - 1;
+  one.mu = friction_of(surface);
+  one.mu2 = std::clamp(surface.mu2, 0.0, kMostFriction);
+  one.direction = 1 / size * surface.fdir1;
+  one.frame = surface.fdir1_frame;
+  if (one.frame.empty()) {
+    one.frame = link.name;
+    one.direction = rotate(shape.pose.orientation, one.direction);
+  }
+  mjcf.names.directed.push_back(one);
+}
+
 std::string bits(std::uint32_t type, std::uint32_t affinity) {
   return " contype=\"" + std::to_string(static_cast<std::int32_t>(type)) + "\" conaffinity=\"" +
          std::to_string(static_cast<std::int32_t>(affinity)) + "\"";
@@ -110,10 +129,11 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
                         int group, const std::string& more = {}) {
     const double mu = friction_of(shape.surface);
-    return "<geom name=\"" + name + (group == kContactOnlyGroup ? "t\"" : "\"") + form +
-           bits(type, affinity) + " group=\"" + std::to_string(group) + "\" priority=\"" +
-           std::to_string(priority(mu)) + "\" friction=\"" + number(mu) + " .005 .0001\"" + more +
-           "/>\n";
+    const std::string geom_name = name + (group == kContactOnlyGroup ? "t" : "");
+    note_direction(shape, link, geom_name, mjcf);
+    return "<geom name=\"" + geom_name + "\"" + form + bits(type, affinity) + " group=\"" +
+           std::to_string(group) + "\" priority=\"" + std::to_string(priority(mu)) +
+           "\" friction=\"" + number(mu) + " .005 .0001\"" + more + "/>\n";
   };
   const Surface& surface = shape.surface;
   colliding_.insert(static_cast<int>(mjcf.names.link_names.size()) - 1);

@@ -5,13 +5,16 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <utility>
 
 #include "physics/mjcf.hpp"
 #include "physics/mujoco_forces.hpp"
+#include "physics/mujoco_friction.hpp"
 #include "physics/mujoco_model.hpp"
+#include "physics/mujoco_state.hpp"
+#include "physics/mujoco_values.hpp"
+#include "physics/mujoco_welds.hpp"
 #include "physics/physics.hpp"
 
 namespace ros2wasm_sim {
@@ -23,49 +26,8 @@ void throw_engine_error(const char* message) {
 }
 void ignore_warning(const char*) {}
 
-Vector3 vector(const mjtNum* v) {
-  return {v[0], v[1], v[2]};
-}
-Quaternion quaternion(const mjtNum* q) {
-  return {q[0], q[1], q[2], q[3]};
-}
-void put(const Vector3& v, mjtNum* out) {
-  out[0] = v.x;
-  out[1] = v.y;
-  out[2] = v.z;
-}
-void put(const Quaternion& q, mjtNum* out) {
-  out[0] = q.w;
-  out[1] = q.x;
-  out[2] = q.y;
-  out[3] = q.z;
-}
-
 constexpr int kMostContacts = 1000;
 constexpr int kMostStack = 40'000'000;  // 320 MB
-
-struct Motor {
-  bool on = false;
-  double velocity = 0;
-  double max_effort = 0;
-};
-
-struct JointRow {
-  std::string model = {}, name = {};
-  int id = -1;   ///< of MuJoCo
-  int dof = -1;  ///< -1 for joints that have no single axis
-  int position = -1;
-  Motor motor = {};
-  double base_friction = 0;  ///< that the world gives
-  double effort = 0;         ///< of the last step
-};
-
-struct LinkRow {
-  std::string model = {}, name = {};
-  int body = -1;
-  bool is_watched = false;
-  Wrench wrench = {};  ///< of the last step, when it is watched
-};
 
 class MujocoPhysics final : public Physics {
  public:
@@ -123,7 +85,7 @@ class MujocoPhysics final : public Physics {
     }
     forget_forces();
     apply_motors();
-    mj_forward(model_.get(), data_.get());
+    refresh();
   }
 
   LinkHandle link(const std::string& model, const std::string& link) override {
@@ -179,17 +141,76 @@ class MujocoPhysics final : public Physics {
   }
 
   void set_motor(JointHandle joint, double velocity, double max_effort) override {
-    if (JointRow* row = row_of(joint)) {
+    JointRow* row = row_of(joint);
+    if (row != nullptr && std::isfinite(velocity)) {
+      is_moved_ |= !row->motor.on;  // what limits the joint is another constraint now
       row->motor = {true, velocity, max_effort};
+      apply_motor(*row);
+    }
+  }
+  void release_motor(JointHandle joint) override {
+    if (JointRow* row = row_of(joint)) {
+      is_moved_ |= row->motor.on;
+      row->motor = {};
       apply_motor(*row);
     }
   }
   void set_position(JointHandle joint, double position) override {
     JointRow* row = row_of(joint);
-    if (row == nullptr || row->dof < 0) return;
+    if (row == nullptr || row->dof < 0 || !std::isfinite(position)) return;
     data_->qpos[row->position] = position;
     data_->qvel[row->dof] = 0;
     mj_kinematics(model_.get(), data_.get());
+    is_moved_ = true;
+  }
+  void set_velocity(JointHandle joint, double velocity) override {
+    JointRow* row = row_of(joint);
+    if (row == nullptr || row->dof < 0 || !std::isfinite(velocity)) return;
+    data_->qvel[row->dof] = velocity;
+    mj_fwdVelocity(model_.get(), data_.get());
+  }
+  void add_effort(JointHandle joint, double effort) override {
+    JointRow* row = row_of(joint);
+    if (row == nullptr || row->dof < 0 || !std::isfinite(effort)) return;
+    mjtNum& applied = data_->qfrc_applied[row->dof];
+    applied = std::clamp(applied + effort, -row->effort_limit, row->effort_limit);
+  }
+  double effort_limit(JointHandle joint) const override {
+    const JointRow* row = row_of(joint);
+    return row == nullptr ? kInfinity : row->effort_limit;
+  }
+
+  void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque,
+                  const Vector3& point) override {
+    const int body = body_of(link);
+    if (body < 0) return;
+    const Vector3 turning = torque + cross(point - centre_of_mass(link), force);
+    if (!std::isfinite(dot(force, force) + dot(turning, turning))) return;
+    mjtNum* applied = data_->xfrc_applied + 6 * body;
+    put(vector(applied) + force, applied);
+    put(vector(applied + 3) + turning, applied + 3);
+  }
+  Vector3 centre_of_mass(LinkHandle link) const override {
+    const int body = body_of(link);
+    return body < 0 ? Vector3{} : vector(data_->xipos + 3 * body);
+  }
+
+  bool attach(LinkHandle parent, LinkHandle child) override {
+    if (body_of(parent) < 0 || body_of(child) < 0) return false;
+    detach(parent, child);
+    if (welds_.size() >= static_cast<std::size_t>(kSpareWelds)) return false;
+    welds_.push_back({parent, child, inverse(pose(parent)) * pose(child)});
+    apply_welds();
+    return true;
+  }
+  void detach(LinkHandle parent, LinkHandle child) override {
+    welds_.erase(std::remove_if(welds_.begin(), welds_.end(),
+                                [&](const Weld& one) {
+                                  return one.parent.index == parent.index &&
+                                         one.child.index == child.index;
+                                }),
+                 welds_.end());
+    apply_welds();
   }
 
   bool set_model_pose(const std::string& model, const Pose& pose, bool at_rest) override {
@@ -202,7 +223,7 @@ class MujocoPhysics final : public Physics {
       place_root(number, pose * offset, at_rest);
     }
     if (at_rest) rest_joints(model);
-    mj_forward(model_.get(), data_.get());
+    refresh();
     return true;
   }
 
@@ -210,8 +231,7 @@ class MujocoPhysics final : public Physics {
     const auto roots = names_.roots.find(model);
     if (roots == names_.roots.end()) return false;
     for (const int number : roots->second) {
-      const int joint =
-          mj_name2id(model_.get(), mjOBJ_JOINT, ("f" + std::to_string(number)).c_str());
+      const int joint = free_joint_of(*model_, number);
       if (joint < 0) continue;
       mjtNum* speeds = data_->qvel + model_->jnt_dofadr[joint];
       const Quaternion turned = quaternion(data_->qpos + model_->jnt_qposadr[joint] + 3);
@@ -219,6 +239,7 @@ class MujocoPhysics final : public Physics {
       put(rotate(inverse(turned), velocity.angular),
           speeds + 3);  // of free joints: in the body's axes
     }
+    mj_fwdVelocity(model_.get(), data_.get());
     return true;
   }
 
@@ -256,35 +277,15 @@ class MujocoPhysics final : public Physics {
     return child.valid() ? links_[child.index].wrench : Wrench{};
   }
 
-  /// FNV-1a over the bits of the state.
-  std::uint64_t state_hash() const override {
-    std::uint64_t hash = 14695981039346656037ULL;
-    const auto add = [&](const mjtNum* values, int count) {
-      for (int i = 0; i < count; ++i) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, values + i, sizeof bits);
-        for (int byte = 0; byte < 8; ++byte)
-          hash = (hash ^ (bits >> (8 * byte) & 0xff)) * 1099511628211ULL;
-      }
-    };
-    add(data_->qpos, model_->nq);
-    add(data_->qvel, model_->nv);
-    return hash;
-  }
+  std::uint64_t state_hash() const override { return hash_of_state(*model_, *data_); }
 
  private:
-  /// Where a part was, by its names, to go on from there in another model.
-  struct State {
-    std::map<std::pair<std::string, std::string>, std::pair<double, double>> joints;
-    std::map<std::pair<std::string, std::string>, std::array<double, 13>> roots;
-    std::map<std::pair<std::string, std::string>, Pose> fixed;
-  };
-
   void build(const World& world, const MjcfLimits& limits) {
     auto [written, model] = compile_world(world, limits);
     DataPointer data(mj_makeData(model.get()));
     if (!data) throw PhysicsError("there is not enough memory for the world");
-    const State state = model_ ? state_of() : State{};
+    const WorldState state =
+        model_ ? state_of(*model_, *data_, names_, bodies_, joints_) : WorldState{};
     for (std::string& warning : written.warnings)
       if (said_.insert(warning).second) warnings_.push_back(std::move(warning));
     model_ = std::move(model);
@@ -293,9 +294,43 @@ class MujocoPhysics final : public Physics {
     limits_ = limits;
     forget_forces();
     refresh_handles();
-    restore(state);
+    for (const Model& one : world.models)
+      for (const Joint& joint : one.joints)
+        if (!joint.axes.empty()) set_effort_limit(one.name, joint);
+    directions_ = friction_directions(*model_, names_);
+    restore(state, *model_, *data_, names_, bodies_, joints_);
     apply_motors();
-    mj_forward(model_.get(), data_.get());
+    apply_welds();
+    refresh();
+  }
+
+  /// A limit that is negative is none.
+  void set_effort_limit(const std::string& model, const Joint& joint) {
+    const auto row = joint_rows_.find({model, joint.name});
+    const double limit = joint.axes.front().effort;
+    if (row != joint_rows_.end())
+      joints_[row->second].effort_limit = limit >= 0 ? limit : kInfinity;
+  }
+
+  /// All that follows from positions and velocities, accelerations too.
+  void refresh() {
+    is_moved_ = false;
+    begin_step(model_.get(), data_.get(), directions_);
+    mj_forwardSkip(model_.get(), data_.get(), mjSTAGE_VEL, 1);
+  }
+
+  /// The spare welds hold what is attached, as far as it is there.
+  void apply_welds() {
+    for (int i = 0; i < model_->neq; ++i)
+      if (model_->eq_type[i] == mjEQ_WELD) model_->eq_active[i] = 0;
+    std::size_t next = 0;
+    for (int i = 0; i < model_->neq && next < welds_.size(); ++i) {
+      if (model_->eq_type[i] != mjEQ_WELD) continue;
+      const Weld& weld = welds_[next++];
+      const int parent = body_of(weld.parent), child = body_of(weld.child);
+      if (parent >= 0 && child >= 0) hold(*model_, i, parent, child, weld.offset);
+    }
+    is_moved_ = true;
   }
 
   /// Without the meshes that the engine refuses, such as flat ones.
@@ -363,53 +398,6 @@ class MujocoPhysics final : public Physics {
     return joints_[known->second];
   }
 
-  State state_of() const {
-    State state;
-    for (const JointRow& row : joints_)
-      if (row.dof >= 0)
-        state.joints[{row.model, row.name}] = {data_->qpos[row.position], data_->qvel[row.dof]};
-    for (const auto& [model, roots] : names_.roots)
-      for (const int number : roots) {
-        const int joint = free_joint(number);
-        const std::pair<std::string, std::string> key{model, names_.link_names[number].second};
-        if (joint < 0) {
-          const int body = bodies_[number];
-          state.fixed[key] = {vector(model_->body_pos + 3 * body),
-                              quaternion(model_->body_quat + 4 * body)};
-          continue;
-        }
-        std::array<double, 13>& values = state.roots[key];
-        std::copy_n(data_->qpos + model_->jnt_qposadr[joint], 7, values.begin());
-        std::copy_n(data_->qvel + model_->jnt_dofadr[joint], 6, values.begin() + 7);
-      }
-    return state;
-  }
-
-  void restore(const State& state) {
-    for (const JointRow& row : joints_) {
-      const auto old = state.joints.find({row.model, row.name});
-      if (row.dof < 0 || old == state.joints.end()) continue;
-      data_->qpos[row.position] = old->second.first;
-      data_->qvel[row.dof] = old->second.second;
-    }
-    for (const auto& [model, roots] : names_.roots)
-      for (const int number : roots) {
-        const std::pair<std::string, std::string> key{model, names_.link_names[number].second};
-        const int joint = free_joint(number);
-        if (joint < 0) {
-          if (const auto old = state.fixed.find(key); old != state.fixed.end()) {
-            put(old->second.position, model_->body_pos + 3 * bodies_[number]);
-            put(old->second.orientation, model_->body_quat + 4 * bodies_[number]);
-          }
-          continue;
-        }
-        const auto old = state.roots.find(key);
-        if (old == state.roots.end()) continue;
-        std::copy_n(old->second.begin(), 7, data_->qpos + model_->jnt_qposadr[joint]);
-        std::copy_n(old->second.begin() + 7, 6, data_->qvel + model_->jnt_dofadr[joint]);
-      }
-  }
-
   void apply_motors() {
     for (JointRow& row : joints_) apply_motor(row);
   }
@@ -422,8 +410,9 @@ class MujocoPhysics final : public Physics {
   }
 
   /// The first half of MuJoCo's step comes last, so that poses, velocities and contacts are those
-  /// of the new state; mj_forward() has done it before the first step.
+  /// of the new state; refresh() has done it before the first step.
   void step_once() {
+    if (std::exchange(is_moved_, false)) begin_step(model_.get(), data_.get(), directions_);
     drive_motors();
     for (const int body : weightless_) {
       mjtNum* applied = data_->xfrc_applied + 6 * body;
@@ -433,7 +422,8 @@ class MujocoPhysics final : public Physics {
     read_efforts();
     measure_forces();
     std::fill_n(data_->xfrc_applied, 6 * model_->nbody, 0.0);
-    mj_step1(model_.get(), data_.get());
+    std::fill_n(data_->qfrc_applied, model_->nv, 0.0);
+    begin_step(model_.get(), data_.get(), directions_);
   }
 
   /// The solver takes friction along a joint as a force, limited by `frictionloss`, that brings the
@@ -454,7 +444,7 @@ class MujocoPhysics final : public Physics {
     for (JointRow& joint : joints_) {
       if (joint.dof < 0) continue;
       const int row = joint.motor.on ? motor_rows_[joint.dof] : -1;
-      joint.effort = row >= 0 ? data_->efc_force[row] : 0;
+      joint.effort = (row >= 0 ? data_->efc_force[row] : 0) + data_->qfrc_applied[joint.dof];
     }
   }
 
@@ -486,19 +476,8 @@ class MujocoPhysics final : public Physics {
   }
 
   [[noreturn]] void report_explosion() {
-    const mjWarningStat* found = nullptr;
-    int dof = -1;
-    for (const int kind : {mjWARN_BADQVEL, mjWARN_BADQACC})
-      if (data_->warning[kind].number > 0) {
-        found = &data_->warning[kind];
-        dof = found->lastinfo;
-      }
+    const int dof = dof_of_warning(*model_, *data_);
     std::string model = "a model";
-    if (found == nullptr) {
-      const int position = data_->warning[mjWARN_BADQPOS].lastinfo;
-      for (int joint = 0; joint < model_->njnt; ++joint)
-        if (model_->jnt_qposadr[joint] <= position) dof = model_->jnt_dofadr[joint];
-    }
     if (dof >= 0 && dof < model_->nv) {
       const int body = model_->dof_bodyid[dof];
       for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -513,12 +492,8 @@ class MujocoPhysics final : public Physics {
         "masses, moments of inertia and overlapping collisions");
   }
 
-  int free_joint(int number) const {
-    return mj_name2id(model_.get(), mjOBJ_JOINT, ("f" + std::to_string(number)).c_str());
-  }
-
   void place_root(int number, const Pose& pose, bool at_rest) {
-    const int joint = free_joint(number);
+    const int joint = free_joint_of(*model_, number);
     if (joint < 0) {
       put(pose.position, model_->body_pos + 3 * bodies_[number]);
       put(pose.orientation, model_->body_quat + 4 * bodies_[number]);
@@ -572,6 +547,9 @@ class MujocoPhysics final : public Physics {
   bool watches_contacts_ = false;
   std::vector<int> collision_of_geom_;  ///< -1 for those that are only seen
   std::vector<Touch> touches_;
+  std::vector<Weld> welds_;
+  std::vector<FrictionDirection> directions_;
+  bool is_moved_ = false;  ///< positions or constraints were set after the last refresh()
 };
 
 }  // namespace

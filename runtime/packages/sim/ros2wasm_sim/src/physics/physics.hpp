@@ -94,10 +94,32 @@ class Physics {
   virtual double velocity(JointHandle joint) const = 0;
   virtual double effort(JointHandle joint) const = 0;  ///< N m or N, of the motor
 
+  // Commands that are not finite are ignored.
+
   /// A motor that holds a velocity with at most this effort, until another command.
   virtual void set_motor(JointHandle joint, double velocity, double max_effort) = 0;
+  /// The joint has no motor any more.
+  virtual void release_motor(JointHandle joint) = 0;
   /// Puts the joint there at once, at rest.
   virtual void set_position(JointHandle joint, double position) = 0;
+  /// The joint has this velocity at once. Forces change it from then on.
+  virtual void set_velocity(JointHandle joint, double velocity) = 0;
+  /// Acts in the next step only, and adds to the other efforts of that step. The joint's own limit
+  /// bounds it.
+  virtual void add_effort(JointHandle joint, double effort) = 0;
+  /// As the world describes it; infinity when it gives no limit.
+  virtual double effort_limit(JointHandle joint) const = 0;
+
+  /// A force at a point of the world, and a torque. Both act along the axes of the world in the
+  /// next step only, and add to others.
+  virtual void add_wrench(LinkHandle link, const Vector3& force, const Vector3& torque,
+                          const Vector3& point) = 0;
+  virtual Vector3 centre_of_mass(LinkHandle link) const = 0;  ///< in the world
+
+  /// Holds two links together as they are now, until detach(). False when too many are held
+  /// already.
+  virtual bool attach(LinkHandle parent, LinkHandle child) = 0;
+  virtual void detach(LinkHandle parent, LinkHandle child) = 0;
 
   /// Moves a model at once; it rests then when `at_rest`.
   virtual bool set_model_pose(const std::string& model, const Pose& pose, bool at_rest) = 0;

@@ -51,7 +51,10 @@ class PluginError : public std::runtime_error {
 using MakePlugin = std::unique_ptr<System> (*)(const PluginContext& context);
 
 // Gazebo Classic.
+std::unique_ptr<System> make_classic_ackermann_drive(const PluginContext& context);
 std::unique_ptr<System> make_classic_diff_drive(const PluginContext& context);
+std::unique_ptr<System> make_classic_force(const PluginContext& context);
+std::unique_ptr<System> make_classic_joint_pose_trajectory(const PluginContext& context);
 std::unique_ptr<System> make_classic_joint_state_publisher(const PluginContext& context);
 std::unique_ptr<System> make_classic_camera(const PluginContext& context);
 std::unique_ptr<System> make_classic_ray_sensor(const PluginContext& context);
@@ -62,11 +65,25 @@ std::unique_ptr<System> make_classic_gps_sensor(const PluginContext& context);
 std::unique_ptr<System> make_classic_p3d(const PluginContext& context);
 std::unique_ptr<System> make_classic_planar_move(const PluginContext& context);
 
+// Gazebo Classic, plugins of a world.
+std::unique_ptr<System> make_classic_properties(const PluginContext& context);
+std::unique_ptr<System> make_classic_state(const PluginContext& context);
+
 // Gazebo Sim.
+std::unique_ptr<System> make_ackermann_steering(const PluginContext& context);
+std::unique_ptr<System> make_apply_joint_force(const PluginContext& context);
+std::unique_ptr<System> make_detachable_joint(const PluginContext& context);
 std::unique_ptr<System> make_diff_drive(const PluginContext& context);
+std::unique_ptr<System> make_joint_controller(const PluginContext& context);
+std::unique_ptr<System> make_joint_position_controller(const PluginContext& context);
 std::unique_ptr<System> make_joint_state_publisher(const PluginContext& context);
+std::unique_ptr<System> make_joint_trajectory_controller(const PluginContext& context);
+std::unique_ptr<System> make_mecanum_drive(const PluginContext& context);
 std::unique_ptr<System> make_odometry_publisher(const PluginContext& context);
 std::unique_ptr<System> make_pose_publisher(const PluginContext& context);
+std::unique_ptr<System> make_velocity_control(const PluginContext& context);
+/// This one is of a world.
+std::unique_ptr<System> make_apply_link_wrench(const PluginContext& context);
 /// Sensors have no plugin of their own there: a system of the world brings those of its types to
 /// life.
 std::unique_ptr<System> make_gz_camera(const PluginContext& context);

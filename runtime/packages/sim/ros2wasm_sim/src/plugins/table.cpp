@@ -20,21 +20,40 @@ struct PluginRow {
 };
 
 constexpr std::array kPlugins{
+    PluginRow{Flavour::kClassic, "gazebo_ros_ackermann_drive", make_classic_ackermann_drive},
     PluginRow{Flavour::kClassic, "gazebo_ros_bumper", make_classic_bumper, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_camera", make_classic_camera, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_diff_drive", make_classic_diff_drive},
+    PluginRow{Flavour::kClassic, "gazebo_ros_force", make_classic_force},
     PluginRow{Flavour::kClassic, "gazebo_ros_ft_sensor", make_classic_ft_sensor},
     PluginRow{Flavour::kClassic, "gazebo_ros_gps_sensor", make_classic_gps_sensor, true},
     PluginRow{Flavour::kClassic, "gazebo_ros_imu_sensor", make_classic_imu_sensor, true},
+    PluginRow{Flavour::kClassic, "gazebo_ros_joint_pose_trajectory",
+              make_classic_joint_pose_trajectory},
     PluginRow{Flavour::kClassic, "gazebo_ros_joint_state_publisher",
               make_classic_joint_state_publisher},
     PluginRow{Flavour::kClassic, "gazebo_ros_p3d", make_classic_p3d},
     PluginRow{Flavour::kClassic, "gazebo_ros_planar_move", make_classic_planar_move},
     PluginRow{Flavour::kClassic, "gazebo_ros_ray_sensor", make_classic_ray_sensor, true},
+    PluginRow{Flavour::kSim, "AckermannSteering", make_ackermann_steering},
+    PluginRow{Flavour::kSim, "ApplyJointForce", make_apply_joint_force},
+    PluginRow{Flavour::kSim, "DetachableJoint", make_detachable_joint},
     PluginRow{Flavour::kSim, "DiffDrive", make_diff_drive},
+    PluginRow{Flavour::kSim, "JointController", make_joint_controller},
+    PluginRow{Flavour::kSim, "JointPositionController", make_joint_position_controller},
     PluginRow{Flavour::kSim, "JointStatePublisher", make_joint_state_publisher},
+    PluginRow{Flavour::kSim, "JointTrajectoryController", make_joint_trajectory_controller},
+    PluginRow{Flavour::kSim, "MecanumDrive", make_mecanum_drive},
     PluginRow{Flavour::kSim, "OdometryPublisher", make_odometry_publisher},
     PluginRow{Flavour::kSim, "PosePublisher", make_pose_publisher},
+    PluginRow{Flavour::kSim, "VelocityControl", make_velocity_control},
+};
+
+/// Those that a world has, in place of a model.
+constexpr std::array kWorldPlugins{
+    PluginRow{Flavour::kClassic, "gazebo_ros_properties", make_classic_properties},
+    PluginRow{Flavour::kClassic, "gazebo_ros_state", make_classic_state},
+    PluginRow{Flavour::kSim, "ApplyLinkWrench", make_apply_link_wrench},
 };
 
 struct SensorRow {
@@ -67,14 +86,9 @@ constexpr std::array kSensors{
 
 /// Plugins whose work the simulator does itself, or that are for a window that a site does not
 /// have.
-constexpr std::string_view kBuiltIn[]{"Physics",
-                                      "UserCommands",
-                                      "SceneBroadcaster",
-                                      "gazebo_ros_init",
-                                      "gazebo_ros_factory",
-                                      "gazebo_ros_force_system",
-                                      "gazebo_ros_properties",
-                                      "gazebo_ros_state"};
+constexpr std::string_view kBuiltIn[]{
+    "Physics",         "UserCommands",       "SceneBroadcaster",
+    "gazebo_ros_init", "gazebo_ros_factory", "gazebo_ros_force_system"};
 
 bool is_built_in(std::string_view name) {
   return std::find(std::begin(kBuiltIn), std::end(kBuiltIn), name) != std::end(kBuiltIn);
@@ -127,15 +141,19 @@ class Maker {
                   const Sensor* sensor) {
     const std::string name =
         flavour_ == Flavour::kClassic ? without_affixes(plugin.filename) : sim_name(plugin);
-    const auto row = std::find_if(kPlugins.begin(), kPlugins.end(), [&](const PluginRow& one) {
+    const auto is_named = [&](const PluginRow& one) {
       return one.flavour == flavour_ && one.name == name;
-    });
+    };
+    const auto row = std::find_if(kPlugins.begin(), kPlugins.end(), is_named);
+    const auto of_world = std::find_if(kWorldPlugins.begin(), kWorldPlugins.end(), is_named);
     if (row != kPlugins.end() && row->is_of_sensor && link == nullptr) {
       RCLCPP_ERROR(host_.node()->get_logger(),
                    "plugin [%s] (%s) does not work here: it must be inside a <sensor> of a link",
                    plugin.name.c_str(), plugin.filename.c_str());
     } else if (row != kPlugins.end() && model != nullptr) {
       make(row->make, {simulation_, host_, scene_, plugin, model, link, sensor});
+    } else if (of_world != kWorldPlugins.end() && model == nullptr) {
+      make(of_world->make, {simulation_, host_, scene_, plugin, nullptr, nullptr, nullptr});
     } else if (!is_built_in(name) && !brings_sensors_to_life(plugin)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
       RCLCPP_WARN(host_.node()->get_logger(),

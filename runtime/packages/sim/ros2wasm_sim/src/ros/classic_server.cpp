@@ -5,34 +5,36 @@
 #include <utility>
 
 #include "plugins/messages.hpp"
+#include "ros/classic_entities.hpp"
+#include "ros/classic_forces.hpp"
 
 namespace ros2wasm_sim {
 namespace {
 
 using std_srvs::srv::Empty;
 
-bool is_world(const std::string& frame) {
-  return frame.empty() || frame == "world" || frame == "map" || frame == "/map";
-}
-
 }  // namespace
 
 ClassicServer::ClassicServer(Host& host, Simulation& simulation, const ClassicOptions& options)
     : host_(host),
       simulation_(simulation),
-      runner_(host.node(), simulation, [this] { publish_clock(); }) {
+      runner_(host.node(), simulation, [this] { after_step(); }),
+      last_site_time_(site_clock_.now()) {
   report_warnings(host_.node()->get_logger(), simulation_.physics());
   simulation_.begin_at(static_cast<std::int64_t>(options.initial_time * 1e9));
   runner_.pause(options.paused);
   if (options.init) offer_clock();
   if (options.factory) offer_factory();
-  if (options.state) offer_state();
+  if (options.forces) simulation_.add(std::make_unique<ClassicForces>(*host_.node(), simulation_));
 }
 
 void ClassicServer::offer_clock() {
   rclcpp::Node& node = *host_.node();
   clock_rate_ = Rate(node.declare_parameter("publish_rate", 10.0));
   clock_ = node.create_publisher<rosgraph_msgs::msg::Clock>("/clock", rclcpp::ClockQoS());
+  if (node.declare_parameter("enable_performance_metrics", true))
+    metrics_ = node.create_publisher<gazebo_msgs::msg::PerformanceMetrics>("/performance_metrics",
+                                                                           rclcpp::QoS(10));
   const auto offer = [&](const char* name, auto action) {
     services_.push_back(node.create_service<Empty>(
         name, [action](const Empty::Request::SharedPtr&, const Empty::Response::SharedPtr&) {
@@ -46,6 +48,8 @@ void ClassicServer::offer_clock() {
     simulation_.reset_poses();
     simulation_.reset_time();
     clock_rate_.reset();
+    metrics_rate_.reset();
+    last_metrics_ns_ = 0;
     publish_clock();
   });
 }
@@ -77,44 +81,37 @@ void ClassicServer::offer_factory() {
       }));
 }
 
-void ClassicServer::offer_state() {
-  rclcpp::Node& node = *host_.node();
-  using gazebo_msgs::srv::GetEntityState;
-  using gazebo_msgs::srv::SetEntityState;
-  services_.push_back(node.create_service<GetEntityState>(
-      "get_entity_state", [this](const GetEntityState::Request::SharedPtr& request,
-                                 const GetEntityState::Response::SharedPtr& response) {
-        Pose pose, reference;
-        response->success =
-            frame_pose(request->name, pose) && frame_pose(request->reference_frame, reference);
-        if (!response->success) {
-          RCLCPP_ERROR(host_.node()->get_logger(), "GetEntityState: entity [%s] does not exist",
-                       request->name.c_str());
-          return;
-        }
-        response->header.stamp = stamp_of(simulation_.time_ns());
-        response->header.frame_id = request->reference_frame;
-        response->state.name = request->name;
-        response->state.pose = pose_message(inverse(reference) * pose);
-      }));
-  services_.push_back(node.create_service<SetEntityState>(
-      "set_entity_state", [this](const SetEntityState::Request::SharedPtr& request,
-                                 const SetEntityState::Response::SharedPtr& response) {
-        Pose reference;
-        const auto& state = request->state;
-        response->success =
-            frame_pose(state.reference_frame, reference) &&
-            simulation_.physics().set_model_pose(state.name, reference * pose_of(state.pose), true);
-        if (!response->success) {
-          RCLCPP_ERROR(host_.node()->get_logger(), "SetEntityState: entity [%s] does not exist",
-                       state.name.c_str());
-          return;
-        }
-        const auto& linear = state.twist.linear;
-        const auto& angular = state.twist.angular;
-        simulation_.physics().set_model_velocity(
-            state.name, {{linear.x, linear.y, linear.z}, {angular.x, angular.y, angular.z}});
-      }));
+void ClassicServer::after_step() {
+  publish_clock();
+  if (metrics_ != nullptr && metrics_rate_.due(simulation_.time_ns())) publish_metrics();
+}
+
+/// The rates of sensors are those that they are asked for, as they keep them in simulated time.
+void ClassicServer::publish_metrics() {
+  const rclcpp::Time now = site_clock_.now();
+  const double passed = (now - last_site_time_).seconds();
+  const double simulated = static_cast<double>(simulation_.time_ns() - last_metrics_ns_) * 1e-9;
+  last_site_time_ = now;
+  last_metrics_ns_ = simulation_.time_ns();
+  if (metrics_->get_subscription_count() == 0) return;
+  gazebo_msgs::msg::PerformanceMetrics message;
+  message.header.stamp = stamp_of(simulation_.time_ns());
+  message.real_time_factor = passed > 0 && simulated >= 0 ? simulated / passed : 0;
+  for (const Model& model : simulation_.world().models)
+    for (const Link& link : model.links)
+      for (const Sensor& sensor : link.sensors) {
+        gazebo_msgs::msg::SensorPerformanceMetric one;
+        one.name =
+            simulation_.world().name + "::" + model.name + "::" + link.name + "::" + sensor.name;
+        one.sim_update_rate =
+            sensor.update_rate > 0 ? sensor.update_rate : 1e9 / simulation_.step_ns();
+        one.real_update_rate = one.sim_update_rate * message.real_time_factor;
+        const bool is_camera =
+            sensor.type.find("camera") != std::string::npos || sensor.type == "depth";
+        one.fps = is_camera ? one.real_update_rate : -1;
+        message.sensors.push_back(one);
+      }
+  metrics_->publish(message);
 }
 
 void ClassicServer::publish_clock() {
@@ -122,20 +119,6 @@ void ClassicServer::publish_clock() {
   rosgraph_msgs::msg::Clock message;
   message.clock = stamp_of(simulation_.time_ns());
   clock_->publish(message);
-}
-
-bool ClassicServer::frame_pose(const std::string& frame, Pose& pose) {
-  if (is_world(frame)) return true;
-  if (const Model* model = simulation_.model(frame)) {
-    pose = simulation_.model_pose(*model);
-    return true;
-  }
-  const std::size_t colons = frame.find("::");
-  if (colons == std::string::npos) return false;
-  const LinkHandle link =
-      simulation_.physics().link(frame.substr(0, colons), frame.substr(colons + 2));
-  pose = simulation_.physics().pose(link);
-  return link.valid();
 }
 
 void ClassicServer::spawn(const gazebo_msgs::srv::SpawnEntity::Request& request,
@@ -148,7 +131,8 @@ void ClassicServer::spawn(const gazebo_msgs::srv::SpawnEntity::Request& request,
   if (!name.empty() && simulation_.model(name) != nullptr)
     return fail("Entity [" + name + "] already exists.");
   Pose reference;
-  if (!frame_pose(request.reference_frame, reference))
+  Motion unused;
+  if (!find_entity(simulation_, request.reference_frame, reference, unused))
     return fail("Reference frame [" + request.reference_frame +
                 "] not found, cannot spawn entity.");
   std::string error;

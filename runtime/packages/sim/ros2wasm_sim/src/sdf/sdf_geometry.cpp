@@ -142,6 +142,9 @@ void read_surface(Context& context, const Node& surface, Surface& value) {
   value.mu = number(context, ode, "mu", value.mu, Range::kNotNegative);
   value.mu2 = number(context, ode, "mu2", value.mu2, Range::kNotNegative);
   value.fdir1 = vector3(context, ode, "fdir1", value.fdir1);
+  for (const char* name : {"gz:expressed_in", "ignition:expressed_in"})
+    if (const std::string frame = attribute(child(ode, "fdir1"), name); !frame.empty())
+      value.fdir1_frame = frame;
   value.torsional = number(context, child(friction, "torsional"), "coefficient", value.torsional,
                            Range::kNotNegative);
   value.restitution = number(context, child(surface, "bounce"), "restitution_coefficient",

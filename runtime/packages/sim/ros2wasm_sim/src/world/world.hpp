@@ -75,7 +75,8 @@ using Geometry =
 struct Surface {
   double mu = 1;
   double mu2 = 1;
-  Vector3 fdir1;
+  Vector3 fdir1;            ///< the direction of `mu`; zero: `mu` counts in all directions
+  std::string fdir1_frame;  ///< the link whose axes `fdir1` has; empty: those of the collision
   double torsional = 1;
   double restitution = 0;
   std::uint32_t category_bitmask = 0xffff;

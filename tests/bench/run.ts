@@ -12,6 +12,7 @@ import { benchLines } from './lines.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
 import { benchPython } from './python.ts';
+import { benchSim } from './sim.ts';
 import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchSoak } from './soak.ts';
@@ -46,6 +47,7 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   link: benchLink,
   pack: benchPack,
   python: benchPython,
+  sim: benchSim,
   soak: benchSoak,
   solve: benchSolve,
   start: benchStart,

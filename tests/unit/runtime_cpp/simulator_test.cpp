@@ -346,7 +346,9 @@ Mesh mesh_of(const std::string& path) {
 
 /// A tetrahedron of a side of 1 m, or a triangle that is flat.
 std::shared_ptr<const TriangleMesh> tetrahedron(const Mesh& mesh) {
-  TriangleMesh read{{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}};
+  TriangleMesh read;
+  read.vertices = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  read.faces = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
   if (mesh.path == "flat") read.vertices[11] = 0;
   return std::make_shared<const TriangleMesh>(read);
 }

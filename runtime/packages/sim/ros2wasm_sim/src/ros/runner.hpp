@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "checks/real_time.hpp"
 #include "core/simulation.hpp"
 #include "plugins/table.hpp"
 #include "ros/host.hpp"
@@ -36,6 +37,7 @@ class Runner {
   rclcpp::Clock clock_{RCL_STEADY_TIME};
   rclcpp::Time
       last_;  ///< when time was last looked at; it is read from `clock_`, so it comes after it
+  RealTimeWatch real_time_;
   rclcpp::TimerBase::SharedPtr timer_;
 };
 

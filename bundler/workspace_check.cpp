@@ -25,6 +25,7 @@
 #include "bundler/workspace/page_notebook.hpp"
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
+#include "bundler/workspace/world_files.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/schema/manifest_reader.hpp"
 
@@ -199,6 +200,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   }
   append(errors, check_launch_file(request, report, folder, cancellation));
   append(errors, check_python(request, report, folder, cancellation));
+  append(report.warnings, check_worlds(report.packages, folder, request.manifest.parent_path()));
 
   // A program without its channel says so when it packs; the manifest is not to blame.
   const bool names_are_known = packages && order && channels && embedded_only(*channels);

@@ -14,7 +14,8 @@ from launch_ros.substitutions import FindPackageShare
 def generate_launch_description():
     world = os.path.join(get_package_share_directory('house_lab'), 'worlds', 'house.sdf')
     simulator = os.path.join(get_package_share_directory('ros_gz_sim'), 'launch', 'gz_sim.launch.py')
-    robot = Command(['xacro ', PathJoinSubstitution([FindPackageShare('scout_description'), 'urdf', 'scout.urdf.xacro'])])
+    robot_file = PathJoinSubstitution([FindPackageShare('scout_description'), 'urdf', 'scout.urdf.xacro'])
+    robot = Command(['xacro ', robot_file])
     arguments = [
         DeclareLaunchArgument('wall', default_value='false', description='Whether it follows the wall at once'),
         DeclareLaunchArgument('line', default_value='false', description='Whether it follows the line at once'),

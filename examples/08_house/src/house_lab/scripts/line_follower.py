@@ -67,7 +67,8 @@ class LineFollower(Node):
             self.way += math.hypot(place.x - self.last.x, place.y - self.last.y)
             if self.way < 1 or self.first is None:
                 self.first = place
-            elif not self.went_around and self.way > 6 and math.hypot(place.x - self.first.x, place.y - self.first.y) < 0.3:
+            away = math.hypot(place.x - self.first.x, place.y - self.first.y)
+            if not self.went_around and self.way > 6 and away < 0.3:
                 self.went_around = True
                 self.get_logger().info(f'once around: {self.way - 1:.1f} m')
         self.last = place

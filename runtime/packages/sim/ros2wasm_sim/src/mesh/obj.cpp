@@ -28,7 +28,7 @@ class Words {
   std::string_view rest_;
 };
 
-/// What is left of the line: a file name may have spaces.
+/// The rest of the line: a file name may have spaces.
 std::string rest_of(Words& words) {
   std::string rest(words.next());
   for (std::string_view word = words.next(); !word.empty(); word = words.next())

@@ -19,9 +19,8 @@ class ClassicJointStatePublisher final : public System {
       const JointHandle joint =
           physics_.joint(context.model->name, context.plugin.model_scope + name);
       if (!joint.valid()) {
-        RCLCPP_ERROR(
-            node_->get_logger(), "Joint %s does not exist!%s", name.c_str(),
-            nearest_joint(*context.model, context.plugin.model_scope + name).c_str());
+        RCLCPP_ERROR(node_->get_logger(), "Joint %s does not exist!%s", name.c_str(),
+                     nearest_joint(*context.model, context.plugin.model_scope + name).c_str());
         continue;
       }
       joints_.push_back(joint);

@@ -164,8 +164,8 @@ class Maker {
       const std::string successor = successor_of(name, flavour_ == Flavour::kClassic);
       RCLCPP_WARN(host_.node()->get_logger(),
                   "plugin [%s] (%s) is skipped: the simulator does not have it%s%s",
-                  plugin.name.c_str(), shown.c_str(), successor.empty() ? "" : ". In its place: ",
-                  successor.c_str());
+                  plugin.name.c_str(), shown.c_str(),
+                  successor.empty() ? "" : ". In its place: ", successor.c_str());
     }
   }
 

@@ -161,11 +161,13 @@ class Maker {
       make(of_world->make, {simulation_, host_, scene_, plugin, nullptr, nullptr, nullptr});
     } else if (!is_built_in(name) && !brings_sensors_to_life(plugin)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
-      const std::string successor = successor_of(name, flavour_ == Flavour::kClassic);
+      const bool is_classic = flavour_ == Flavour::kClassic;
+      std::string successor = successor_of(without_affixes(plugin.filename), is_classic);
+      if (successor.empty()) successor = successor_of(sim_name(plugin), is_classic);
       RCLCPP_WARN(host_.node()->get_logger(),
                   "plugin [%s] (%s) is skipped: the simulator does not have it%s%s",
-                  plugin.name.c_str(), shown.c_str(),
-                  successor.empty() ? "" : ". In its place: ", successor.c_str());
+                  plugin.name.c_str(), shown.c_str(), successor.empty() ? "" : "; ",
+                  successor.c_str());
     }
   }
 

@@ -51,6 +51,11 @@ void Runner::step(std::uint32_t count) {
 }
 
 void Runner::tick() {
+  run();
+  if (on_tick_) on_tick_();
+}
+
+void Runner::run() {
   const rclcpp::Time now = clock_.now();
   const double factor = simulation_.world().physics.real_time_factor;
   const std::int64_t passed = (now - last_).nanoseconds();
@@ -69,6 +74,7 @@ void Runner::tick() {
 
 void Runner::step_once() {
   if (most_steps_ > 0 && steps_ >= most_steps_) return;
+  if (before_step_) before_step_();
   try {
     simulation_.step();
   } catch (const PhysicsError& error) {

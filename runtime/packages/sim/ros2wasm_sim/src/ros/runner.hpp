@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/simulation.hpp"
 #include "plugins/table.hpp"
@@ -16,6 +17,10 @@ class Runner {
   /// `after_step` is called after each step.
   Runner(rclcpp::Node::SharedPtr node, Simulation& simulation, std::function<void()> after_step);
 
+  /// Called some hundred times a second, also while the world is paused.
+  void on_tick(std::function<void()> look) { on_tick_ = std::move(look); }
+  void before_step(std::function<void()> act) { before_step_ = std::move(act); }
+
   bool paused() const { return paused_; }
   void pause(bool paused);
   /// Steps that are made although the world is paused.
@@ -25,11 +30,12 @@ class Runner {
 
  private:
   void tick();
+  void run();
   void step_once();
 
   rclcpp::Node::SharedPtr node_;
   Simulation& simulation_;
-  std::function<void()> after_step_;
+  std::function<void()> after_step_, before_step_, on_tick_;
   bool paused_ = false;
   std::uint64_t most_steps_ = 0, steps_ = 0;
   std::int64_t owed_ns_ = 0;  ///< of simulated time, that is to be made up

@@ -35,7 +35,10 @@ class Writer {
     result_.message.markers.push_back(clear);
   }
 
-  void begin_link(const std::string& frame) { frame_ = frame; }
+  void begin_link(const std::string& frame, bool moves) {
+    frame_ = frame;
+    moves_ = moves;
+  }
 
   /// One shape: a marker, or several for those that have no marker of their own.
   void add(const std::string& name, const Pose& pose, const Geometry& geometry, const Color& color,
@@ -57,7 +60,7 @@ class Writer {
     }
     Marker marker;
     marker.header.frame_id = frame_;
-    marker.frame_locked = true;
+    marker.frame_locked = moves_;
     marker.ns = frame_;
     marker.id = static_cast<int>(markers.size());
     marker.type = type;
@@ -129,6 +132,7 @@ class Writer {
   std::string frame_, name_;
   Color color_;
   bool own_materials_ = false;
+  bool moves_ = true;
   std::size_t points_ = 0;
 };
 
@@ -138,7 +142,7 @@ SceneMarkers scene_markers(const World& world, SceneShapes shapes, const MeshRea
   Writer writer(meshes);
   for (const Model& model : world.models)
     for (const Link& link : model.links) {
-      writer.begin_link(model.name + "::" + link.name);
+      writer.begin_link(model.name + "::" + link.name, !model.is_static);
       if (shapes == SceneShapes::kCollisions) {
         for (const Collision& one : link.collisions)
           writer.add(one.name, one.pose, one.geometry, {1, 0.55, 0, 0.4}, false);

@@ -2,7 +2,8 @@
 // topics of ROS with standard messages. While nobody subscribes nothing is made.
 //
 //   /_gz/scene       visualization_msgs/MarkerArray, latched: the visuals of all links; frame_id is
-//                    `model::link`, text the visual's name
+//                    `model::link`, text the visual's name; frame_locked is false for shapes that
+//                    never move
 //   /_gz/collisions  the same of collisions
 //   /_gz/poses       tf2_msgs/TFMessage: links in `world`. A message that begins with the frame
 //                    `world` has all links, and the joints and sensors in their links; others have

@@ -337,7 +337,7 @@ for (const [index, lab] of labs.entries()) {
       await page.goto(server.url);
       await page.getByText(/drove 1\.0 m, in truth 1\.0 m, .* 1\.9 m ahead/).first().waitFor({ timeout: 120_000 });
       // In the place of Gazebo's window.
-      await page.locator('.panel-scene').waitFor();
+      await page.locator('.panel-simulation').waitFor();
       assert.deepEqual(troubles, []);
     } finally {
       await browser.close();

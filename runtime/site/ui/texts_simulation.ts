@@ -20,7 +20,7 @@ export const simulationTexts = {
   short: { play: 'Let', pause: 'Pause', step: 'Step', reset: 'Reset', add: 'Add', drag: 'Drag', push: 'Push', top: 'above', home: 'usual view', list: 'Models' },
   shapes: { box: 'Box', sphere: 'Sphere', cylinder: 'Cylinder' },
   flags: {
-    shadows: 'Shadows', grid: 'Grid', collisions: 'Collisions', rays: 'Rays of laser scanners', frames: 'Joints and sensors', names: 'Their names',
+    shadows: 'Shadows', grid: 'Grid', collisions: 'Collisions', contacts: 'Contacts and their forces', rays: 'Rays of laser scanners', frames: 'Joints and sensors', names: 'Their names',
   },
   drawn: 'Drawn',
   images: 'Camera images',

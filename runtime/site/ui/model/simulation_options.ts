@@ -7,7 +7,7 @@ import type { Json } from './json.ts';
 import { readImages } from './scene_options.ts';
 import type { ImageOverlay } from './scene_options.ts';
 
-export const kSimFlags = ['shadows', 'grid', 'collisions', 'rays', 'frames', 'names'] as const;
+export const kSimFlags = ['shadows', 'grid', 'collisions', 'contacts', 'rays', 'frames', 'names'] as const;
 export type SimFlag = (typeof kSimFlags)[number];
 
 export interface SimulationOptions {
@@ -21,7 +21,7 @@ export interface SimulationOptions {
 }
 
 const kUsually: Readonly<Record<SimFlag, boolean>> = {
-  shadows: true, grid: true, collisions: false, rays: false, frames: false, names: false,
+  shadows: true, grid: true, collisions: false, contacts: false, rays: false, frames: false, names: false,
 };
 
 export function readSimulation(state: Json): SimulationOptions {
@@ -30,7 +30,7 @@ export function readSimulation(state: Json): SimulationOptions {
     view: readView(member(state, 'view')),
     flags: {
       shadows: flag('shadows'), grid: flag('grid'), collisions: flag('collisions'),
-      rays: flag('rays'), frames: flag('frames'), names: flag('names'),
+      contacts: flag('contacts'), rays: flag('rays'), frames: flag('frames'), names: flag('names'),
     },
     list: flagMember(state, 'list', true),
     follow: textMember(state, 'follow'),

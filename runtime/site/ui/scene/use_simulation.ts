@@ -66,6 +66,7 @@ export interface Simulated {
 
 export const kSceneTopic = '/_gz/scene';
 const kCollisionsTopic = '/_gz/collisions';
+const kContactsTopic = '/_gz/contacts';
 const kPosesTopic = '/_gz/poses';
 const kStatsTopic = '/_gz/stats';
 const kPausedTopic = '/_gz/paused';
@@ -161,7 +162,7 @@ export function useSimulation(use: SimulationUse): Simulated {
     };
   }, [session]);
 
-  const { shadows, grid, collisions, rays, frames, names } = options.flags;
+  const { shadows, grid, collisions, contacts, rays, frames, names } = options.flags;
   useEffect(() => {
     if (scene === null) return;
     scene.view.setColors();
@@ -210,19 +211,21 @@ export function useSimulation(use: SimulationUse): Simulated {
     };
   }, [session, scene, ready]);
 
-  useEffect(() => {
-    if (scene === null || ready === null || !collisions) return undefined;
+  const followMarkers = (topic: string, on: boolean) => () => {
+    if (scene === null || ready === null || !on) return undefined;
     const shapes = new Markers(shelfOf(session, scene.view));
-    scene.view.add(kCollisionsTopic, shapes);
-    const stop = follower(session, ready, problems.current, tell)(kCollisionsTopic, (message) => {
+    scene.view.add(topic, shapes);
+    const stop = follower(session, ready, problems.current, tell)(topic, (message) => {
       shapes.take(message);
       scene.view.messageTaken();
     });
     return () => {
       stop();
-      scene.view.remove(kCollisionsTopic);
+      scene.view.remove(topic);
     };
-  }, [session, scene, ready, collisions]);
+  };
+  useEffect(followMarkers(kCollisionsTopic, collisions), [session, scene, ready, collisions]);
+  useEffect(followMarkers(kContactsTopic, contacts), [session, scene, ready, contacts]);
 
   const followed = rays ? scans.join('\n') : '';
   useEffect(() => {

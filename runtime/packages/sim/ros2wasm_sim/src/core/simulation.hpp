@@ -74,8 +74,6 @@ class Simulation {
 
   std::int64_t time_ns() const { return steps_ * step_ns_ + start_ns_; }
   std::int64_t step_ns() const { return step_ns_; }
-  /// Changes when a model comes or goes.
-  std::uint64_t revision() const { return revision_; }
   void begin_at(std::int64_t time_ns) { start_ns_ = time_ns; }
 
   /// Throws PhysicsError when the state is not finite any more; the world is as it began then.

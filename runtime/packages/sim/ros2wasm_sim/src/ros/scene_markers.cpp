@@ -1,6 +1,7 @@
 // See scene_markers.hpp.
 #include "ros/scene_markers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -16,6 +17,9 @@ using visualization_msgs::msg::Marker;
 constexpr std::size_t kMostMarkers = 5000;
 /// Of all lists of triangles of a message: 24 bytes each.
 constexpr std::size_t kMostPoints = 150'000;
+constexpr std::size_t kMostContacts = 500;
+/// How a force is drawn.
+constexpr double kMetresPerNewton = 0.02, kLongestForce = 1;
 /// How thick a plane is drawn, in metres, below its surface.
 constexpr double kPlaneThickness = 0.002;
 
@@ -136,7 +140,49 @@ class Writer {
   std::size_t points_ = 0;
 };
 
+geometry_msgs::msg::Point point_message(const Vector3& place) {
+  geometry_msgs::msg::Point point;
+  point.x = place.x;
+  point.y = place.y;
+  point.z = place.z;
+  return point;
+}
+
+Marker contacts_marker(int id, int type, double size) {
+  Marker marker;
+  marker.header.frame_id = "world";
+  marker.ns = "contacts";
+  marker.id = id;
+  marker.type = type;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = size;
+  marker.color.r = 0.9F;
+  marker.color.g = 0.2F;
+  marker.color.b = 0.6F;
+  marker.color.a = 1;
+  return marker;
+}
+
 }  // namespace
+
+visualization_msgs::msg::MarkerArray contact_markers(const std::vector<Contact>& contacts) {
+  Marker places = contacts_marker(0, Marker::SPHERE_LIST, 0.02);
+  Marker forces = contacts_marker(1, Marker::LINE_LIST, 0.006);
+  for (const Contact& contact : contacts)
+    for (const ContactPoint& one : contact.points) {
+      if (places.points.size() == kMostContacts) break;
+      places.points.push_back(point_message(one.position));
+      const double newtons = length(one.wrench.force);
+      if (newtons <= 0) continue;
+      const double long_as = std::min(kMetresPerNewton * newtons, kLongestForce);
+      forces.points.push_back(point_message(one.position));
+      forces.points.push_back(
+          point_message(one.position + (long_as / newtons) * one.wrench.force));
+    }
+  visualization_msgs::msg::MarkerArray message;
+  message.markers = {std::move(places), std::move(forces)};
+  return message;
+}
 
 SceneMarkers scene_markers(const World& world, SceneShapes shapes, const MeshReader& meshes) {
   Writer writer(meshes);
@@ -151,7 +197,7 @@ SceneMarkers scene_markers(const World& world, SceneShapes shapes, const MeshRea
       for (const Visual& one : link.visuals) {
         Color color = one.material.diffuse;
         color.a *= 1 - one.transparency;
-        writer.add(one.name, one.pose, one.geometry, color, true);
+        writer.add(one.name, one.pose, one.geometry, color, !one.material.is_given);
       }
     }
   return writer.take();

@@ -3,6 +3,8 @@
 
 #include <visualization_msgs/msg/marker_array.hpp>
 
+#include <vector>
+
 #include "physics/physics.hpp"
 
 namespace ros2wasm_sim {
@@ -17,5 +19,8 @@ struct SceneMarkers {
 
 /// `meshes` is asked for parts of files only.
 SceneMarkers scene_markers(const World& world, SceneShapes shapes, const MeshReader& meshes);
+
+/// Points where collisions touch, and the forces there as lines, in `world`.
+visualization_msgs::msg::MarkerArray contact_markers(const std::vector<Contact>& contacts);
 
 }  // namespace ros2wasm_sim

@@ -34,6 +34,7 @@ ScenePublisher::ScenePublisher(Host& host, Simulation& simulation, Runner& runne
   using visualization_msgs::msg::MarkerArray;
   visuals_.publisher = node.create_publisher<MarkerArray>("/_gz/scene", latched);
   collisions_.publisher = node.create_publisher<MarkerArray>("/_gz/collisions", latched);
+  contacts_ = node.create_publisher<MarkerArray>("/_gz/contacts", rclcpp::QoS(5));
   poses_ = node.create_publisher<tf2_msgs::msg::TFMessage>("/_gz/poses", rclcpp::QoS(5));
   stats_ = node.create_publisher<gazebo_msgs::msg::PerformanceMetrics>("/_gz/stats", rclcpp::QoS(5));
   paused_ = node.create_publisher<std_msgs::msg::Bool>("/_gz/paused", latched);
@@ -57,6 +58,7 @@ void ScenePublisher::look() {
   next_poses_ns_ = now_ns + kFrameNs;
   look_at_shapes();
   look_at_poses(now_ns);
+  look_at_contacts();
   look_at_pace(now_ns);
 }
 
@@ -131,6 +133,20 @@ void ScenePublisher::add_inner_frames(tf2_msgs::msg::TFMessage& message) const {
     for (const Link& link : model.links)
       for (const Sensor& sensor : link.sensors) add(link.name, sensor.name, sensor.pose);
   }
+}
+
+void ScenePublisher::look_at_contacts() {
+  if (contacts_->get_subscription_count() == 0) {
+    contacts_of_ns_ = -1;
+    return;
+  }
+  if (!watches_contacts_) {
+    watches_contacts_ = true;
+    simulation_.physics().watch_contacts();
+  }
+  if (contacts_of_ns_ == simulation_.time_ns()) return;
+  contacts_of_ns_ = simulation_.time_ns();
+  contacts_->publish(contact_markers(simulation_.physics().contacts()));
 }
 
 void ScenePublisher::look_at_pace(std::int64_t now_ns) {

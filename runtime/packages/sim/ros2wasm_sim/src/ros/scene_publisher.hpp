@@ -5,6 +5,7 @@
 //                    `model::link`, text the visual's name; frame_locked is false for shapes that
 //                    never move
 //   /_gz/collisions  the same of collisions
+//   /_gz/contacts    the same of the last step's contacts, at most 60 Hz
 //   /_gz/poses       tf2_msgs/TFMessage: links in `world`. A message that begins with the frame
 //                    `world` has all links, and the joints and sensors in their links; others have
 //                    the links that moved. At most 60 Hz
@@ -41,6 +42,7 @@ class ScenePublisher {
   void look();
   void look_at_shapes();
   void look_at_poses(std::int64_t now_ns);
+  void look_at_contacts();
   void look_at_pace(std::int64_t now_ns);
   void publish_poses(bool all);
   void add_inner_frames(tf2_msgs::msg::TFMessage& message) const;
@@ -62,6 +64,7 @@ class ScenePublisher {
   Runner& runner_;
   Drag drag_;
   Shapes visuals_, collisions_;
+  rclcpp::Publisher<visualization_msgs::msg::MarkerArray>::SharedPtr contacts_;
   rclcpp::Publisher<tf2_msgs::msg::TFMessage>::SharedPtr poses_;
   rclcpp::Publisher<gazebo_msgs::msg::PerformanceMetrics>::SharedPtr stats_;
   rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr paused_;
@@ -71,6 +74,8 @@ class ScenePublisher {
   std::optional<std::uint64_t> links_revision_;
   std::optional<bool> said_paused_;
   std::size_t viewers_ = 0;
+  bool watches_contacts_ = false;
+  std::int64_t contacts_of_ns_ = -1;  ///< the simulated time of those that were published
   // Of the steady clock, in nanoseconds.
   std::int64_t next_poses_ns_ = 0, next_all_ns_ = 0, next_stats_ns_ = 0;
   std::int64_t pace_since_ns_ = 0, pace_from_ns_ = 0;  ///< the second one is of simulated time

@@ -23,6 +23,7 @@ const kLaunch = `<launch>
   <node pkg="lifecycle_sensor" exec="sensor" name="sensor" namespace="lab"/>
   <node pkg="board_companions_py" exec="pictures" args="/camera/image_raw"/>
   <node pkg="relay" exec="relay"/>
+  <executable cmd="gz sim -r shapes.sdf"/>
 </launch>
 `;
 

@@ -208,7 +208,6 @@ export const panels: readonly PanelRow[] = [
     icon: 'simulation',
     group: 'see',
     watched: true,
-    keeps: true,
     fits: (site) => site.nodes.some((node) => node.package === 'ros2wasm_sim'),
     source: { kind: 'lazy', load: () => import('./simulation.tsx').then((file) => file.SimulationPanel) },
   },

@@ -30,6 +30,8 @@ import type { PanelProps } from './panel_props.ts';
 
 const kMostScans = 8;
 const kMostPictures = 50;
+/** How long an answer stands over the picture. */
+const kSaidMs = 5000;
 const kSteps = 100;
 /** Metres per second. */
 const kPush = 1;
@@ -58,6 +60,12 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
       setClient(null);
     };
   }, [session, ready, name]);
+
+  useEffect(() => {
+    if (said === '') return undefined;
+    const timer = setTimeout(() => setSaid(''), kSaidMs);
+    return () => clearTimeout(timer);
+  }, [said]);
 
   const latest = useRef({ options, setState });
   latest.current = { options, setState };

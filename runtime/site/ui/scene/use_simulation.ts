@@ -73,7 +73,7 @@ const kPausedTopic = '/_gz/paused';
 /** A hand that is not heard of for a second lets go. */
 const kHandMs = 200;
 /** Lines of the grid stand this much above a floor at 0, in metres. */
-const kGridHeight = 0.002;
+const kGridHeight = 0.01;
 const kRayColors = ['#e5484d', '#3e7bfa', '#30a46c', '#d08a1d'] as const;
 
 export function useSimulation(use: SimulationUse): Simulated {

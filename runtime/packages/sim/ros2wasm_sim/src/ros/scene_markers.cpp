@@ -140,6 +140,11 @@ class Writer {
   std::size_t points_ = 0;
 };
 
+/// A plane would dye everything that is seen through it.
+Color collision_color(const Geometry& geometry) {
+  return {1, 0.55, 0, std::holds_alternative<Plane>(geometry) ? 0.08 : 0.4};
+}
+
 geometry_msgs::msg::Point point_message(const Vector3& place) {
   geometry_msgs::msg::Point point;
   point.x = place.x;
@@ -191,7 +196,7 @@ SceneMarkers scene_markers(const World& world, SceneShapes shapes, const MeshRea
       writer.begin_link(model.name + "::" + link.name, !model.is_static);
       if (shapes == SceneShapes::kCollisions) {
         for (const Collision& one : link.collisions)
-          writer.add(one.name, one.pose, one.geometry, {1, 0.55, 0, 0.4}, false);
+          writer.add(one.name, one.pose, one.geometry, collision_color(one.geometry), false);
         continue;
       }
       for (const Visual& one : link.visuals) {

@@ -21,6 +21,17 @@ constexpr std::int64_t kPaceNs = 1'000'000'000;
 /// Links of a message of poses for which 60 Hz are kept; more of them come less often.
 constexpr std::size_t kQuickLinks = 500;
 
+/// Metres, and parts of a quaternion: a body at rest trembles by less.
+constexpr double kStill = 1e-5;
+
+bool is_still(const Pose& now, const Pose& before) {
+  const Quaternion& a = now.orientation;
+  const Quaternion& b = before.orientation;
+  return length(now.position - before.position) < kStill && std::abs(a.w - b.w) < kStill &&
+         std::abs(a.x - b.x) < kStill && std::abs(a.y - b.y) < kStill &&
+         std::abs(a.z - b.z) < kStill;
+}
+
 Vector3 vector_of(const geometry_msgs::msg::Point& point) {
   return {point.x, point.y, point.z};
 }
@@ -89,6 +100,7 @@ void ScenePublisher::refresh_links() {
       links_.push_back({model.name + "::" + link.name,
                         simulation_.physics().link(model.name, link.name), {}});
   next_all_ns_ = 0;
+  refreshed_ = true;
 }
 
 void ScenePublisher::look_at_poses(std::int64_t now_ns) {
@@ -108,10 +120,13 @@ void ScenePublisher::publish_poses(bool all) {
   if (all) message.transforms.push_back(transform_message(stamp, "", "world", {}));
   for (Shown& shown : links_) {
     const Pose pose = simulation_.physics().pose(shown.link);
-    if (!all && pose == shown.pose) continue;
-    shown.pose = pose;
-    message.transforms.push_back(transform_message(stamp, "world", shown.frame, pose));
+    // What has not moved is sent as it was, so that a viewer need not draw it again.
+    const bool still = !refreshed_ && is_still(pose, shown.pose);
+    if (!all && still) continue;
+    if (!still) shown.pose = pose;
+    message.transforms.push_back(transform_message(stamp, "world", shown.frame, shown.pose));
   }
+  refreshed_ = false;
   const std::size_t moved = message.transforms.size();
   if (moved > kQuickLinks)
     next_poses_ns_ += kFrameNs * static_cast<std::int64_t>(moved / kQuickLinks);

@@ -73,6 +73,7 @@ class ScenePublisher {
   std::vector<Shown> links_;
   std::optional<std::uint64_t> links_revision_;
   std::optional<bool> said_paused_;
+  bool refreshed_ = false;  ///< the poses of `links_` have not been read yet
   std::size_t viewers_ = 0;
   bool watches_contacts_ = false;
   std::int64_t contacts_of_ns_ = -1;  ///< the simulated time of those that were published

@@ -34,7 +34,7 @@ version: 1.0.0
 license: Apache-2.0
 distro: jazzy
 packages: [src/*]
-dependencies: [turtlesim, diagnostic_msgs]
+dependencies: [turtlesim, diagnostic_msgs, ros2wasm_sim]
 launch: all.launch.xml
 checks:
   - {title: Odometry comes often enough, topic: /odom, above: 5 Hz}

@@ -175,6 +175,13 @@ test('the world is seen, the robot drives, time is paused and stepped', watchdog
 
 test('objects are added, pushed, dragged and removed, and the world is reset', watchdog, () =>
   on({}, '', async (page, panel) => {
+    const drawings = (): Promise<number> =>
+      panel.locator('.scene-canvas').evaluate((one) => Number((one as HTMLCanvasElement).dataset['drawings']));
+    // While nothing moves, the picture is drawn as little as that of the 3D view.
+    await page.waitForTimeout(1000);
+    const before = await drawings();
+    await page.waitForTimeout(1500);
+    assert.ok((await drawings()) - before <= 3, `${before} and then ${await drawings()}`);
     await select(panel, 'crate');
     const [x0 = 0, y0 = 0] = await place(panel);
     await panel.getByRole('button', { name: 'Push crate away from you' }).click();

@@ -108,7 +108,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
   const { models } = world;
   const model = modelOf(selected);
   const chosen = models.find((one) => one.name === model);
-  // What was removed is selected no more.
+  // A model that was removed is selected no more.
   useEffect(() => {
     if (selected !== '' && chosen === undefined) select('');
   }, [selected, chosen]);

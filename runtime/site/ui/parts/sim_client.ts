@@ -1,4 +1,4 @@
-// What a panel asks of the simulator: its services below /_gz/world/NAME, and the hand of the visitor.
+// The requests of a panel to the simulator: its services below /_gz/world/NAME, and the hand of the visitor.
 
 import type { GraphView, PagePublisher, Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';

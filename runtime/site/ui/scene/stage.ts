@@ -218,7 +218,7 @@ export class Stage {
     if (this.resolution.share < 1) this.resting = setTimeout(this.rest, kRestMs);
   };
 
-  /** Of what is around the middle of the picture, as far as one sees it well. */
+  /** Fits the shadows to what is around the middle of the picture. */
   private castShadows(): void {
     this.scene.traverse((one) => {
       if (!(one instanceof Mesh) || !((one as Mesh).material instanceof MeshStandardMaterial)) return;

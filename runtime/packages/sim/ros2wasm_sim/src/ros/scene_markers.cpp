@@ -15,7 +15,7 @@ using visualization_msgs::msg::Marker;
 
 /// More the page does not draw.
 constexpr std::size_t kMostMarkers = 5000;
-/// Of all lists of triangles of a message: 24 bytes each.
+/// Corners of all lists of triangles of a message: 24 bytes each.
 constexpr std::size_t kMostPoints = 150'000;
 constexpr std::size_t kMostContacts = 500;
 /// How a force is drawn.
@@ -92,9 +92,7 @@ class Writer {
     for (const double end : {-0.5, 0.5})
       draw(Sphere{one.radius}, pose * Pose{{0, 0, end * one.length}, {}});
   }
-  void draw(const Ellipsoid& one, const Pose& pose) {
-    put(Marker::SPHERE, pose, 2.0 * one.radii);
-  }
+  void draw(const Ellipsoid& one, const Pose& pose) { put(Marker::SPHERE, pose, 2.0 * one.radii); }
   void draw(const Plane& plane, const Pose& pose) {
     const Pose turned = pose * Pose{{}, from_z_to(plane.normal)};
     put(Marker::CUBE, turned * Pose{{0, 0, -kPlaneThickness / 2}, {}},
@@ -181,8 +179,7 @@ visualization_msgs::msg::MarkerArray contact_markers(const std::vector<Contact>&
       if (newtons <= 0) continue;
       const double long_as = std::min(kMetresPerNewton * newtons, kLongestForce);
       forces.points.push_back(point_message(one.position));
-      forces.points.push_back(
-          point_message(one.position + (long_as / newtons) * one.wrench.force));
+      forces.points.push_back(point_message(one.position + (long_as / newtons) * one.wrench.force));
     }
   visualization_msgs::msg::MarkerArray message;
   message.markers = {std::move(places), std::move(forces)};

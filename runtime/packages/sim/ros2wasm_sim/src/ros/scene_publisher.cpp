@@ -47,7 +47,8 @@ ScenePublisher::ScenePublisher(Host& host, Simulation& simulation, Runner& runne
   collisions_.publisher = node.create_publisher<MarkerArray>("/_gz/collisions", latched);
   contacts_ = node.create_publisher<MarkerArray>("/_gz/contacts", rclcpp::QoS(5));
   poses_ = node.create_publisher<tf2_msgs::msg::TFMessage>("/_gz/poses", rclcpp::QoS(5));
-  stats_ = node.create_publisher<gazebo_msgs::msg::PerformanceMetrics>("/_gz/stats", rclcpp::QoS(5));
+  stats_ =
+      node.create_publisher<gazebo_msgs::msg::PerformanceMetrics>("/_gz/stats", rclcpp::QoS(5));
   paused_ = node.create_publisher<std_msgs::msg::Bool>("/_gz/paused", latched);
   hand_ = node.create_subscription<InteractiveMarkerFeedback>(
       "/_gz/hand", rclcpp::QoS(10),
@@ -80,8 +81,7 @@ void ScenePublisher::look_at_shapes() {
       return;
     shapes.revision = simulation_.revision();
     const rclcpp::Logger logger = host_.node()->get_logger();
-    const SceneMarkers made =
-        scene_markers(simulation_.world(), kind, site_meshes(logger));
+    const SceneMarkers made = scene_markers(simulation_.world(), kind, site_meshes(logger));
     if (made.skipped > 0)
       RCLCPP_WARN(logger, "the view of the world leaves out %zu shapes: it draws at most 5000",
                   made.skipped);
@@ -97,8 +97,8 @@ void ScenePublisher::refresh_links() {
   links_.clear();
   for (const Model& model : simulation_.world().models)
     for (const Link& link : model.links)
-      links_.push_back({model.name + "::" + link.name,
-                        simulation_.physics().link(model.name, link.name), {}});
+      links_.push_back(
+          {model.name + "::" + link.name, simulation_.physics().link(model.name, link.name), {}});
   next_all_ns_ = 0;
   refreshed_ = true;
 }
@@ -120,7 +120,7 @@ void ScenePublisher::publish_poses(bool all) {
   if (all) message.transforms.push_back(transform_message(stamp, "", "world", {}));
   for (Shown& shown : links_) {
     const Pose pose = simulation_.physics().pose(shown.link);
-    // What has not moved is sent as it was, so that a viewer need not draw it again.
+    // A link that has not moved is sent as it was, so that a viewer need not draw it again.
     const bool still = !refreshed_ && is_still(pose, shown.pose);
     if (!all && still) continue;
     if (!still) shown.pose = pose;

@@ -1,20 +1,19 @@
 // The world for a viewer: its shapes, its poses, its pace, and the hand of a visitor, as hidden
 // topics of ROS with standard messages. While nobody subscribes nothing is made.
 //
-//   /_gz/scene       visualization_msgs/MarkerArray, latched: the visuals of all links; frame_id is
-//                    `model::link`, text the visual's name; frame_locked is false for shapes that
-//                    never move
-//   /_gz/collisions  the same of collisions
-//   /_gz/contacts    the same of the last step's contacts, at most 60 Hz
-//   /_gz/poses       tf2_msgs/TFMessage: links in `world`. A message that begins with the frame
-//                    `world` has all links, and the joints and sensors in their links; others have
-//                    the links that moved. At most 60 Hz
-//   /_gz/stats       gazebo_msgs/PerformanceMetrics: time and real-time factor, at most 10 Hz
-//   /_gz/paused      std_msgs/Bool, latched
-//   /_gz/hand        visualization_msgs/InteractiveMarkerFeedback, read here. marker_name is
-//                    `model::link`, pose.position a point of the link; MOUSE_DOWN holds it,
-//                    POSE_UPDATE draws it towards mouse_point, MOUSE_UP lets go. BUTTON_CLICK pushes
-//                    it: mouse_point is the change of velocity in m/s
+// - /_gz/scene, visualization_msgs/MarkerArray, latched: the visuals of all links. frame_id is
+//   `model::link`, text the visual's name; frame_locked is false for shapes that never move.
+// - /_gz/collisions: the same of collisions.
+// - /_gz/contacts: the same of the last step's contacts, at most 60 Hz.
+// - /_gz/poses, tf2_msgs/TFMessage: links in `world`. A message that begins with the frame `world`
+//   has all links, and the joints and sensors in their links; others have the links that moved. At
+//   most 60 Hz.
+// - /_gz/stats, gazebo_msgs/PerformanceMetrics: time and real-time factor, at most 10 Hz.
+// - /_gz/paused, std_msgs/Bool, latched.
+// - /_gz/hand, visualization_msgs/InteractiveMarkerFeedback, is read here. marker_name is
+//   `model::link`, pose.position a point of the link. MOUSE_DOWN holds it, POSE_UPDATE draws it
+//   towards mouse_point, MOUSE_UP lets go. BUTTON_CLICK pushes it: mouse_point is the change of
+//   velocity in m/s.
 #pragma once
 
 #include <gazebo_msgs/msg/performance_metrics.hpp>
@@ -77,7 +76,7 @@ class ScenePublisher {
   std::size_t viewers_ = 0;
   bool watches_contacts_ = false;
   std::int64_t contacts_of_ns_ = -1;  ///< the simulated time of those that were published
-  // Of the steady clock, in nanoseconds.
+  // Times of the steady clock, in nanoseconds.
   std::int64_t next_poses_ns_ = 0, next_all_ns_ = 0, next_stats_ns_ = 0;
   std::int64_t pace_since_ns_ = 0, pace_from_ns_ = 0;  ///< the second one is of simulated time
 };

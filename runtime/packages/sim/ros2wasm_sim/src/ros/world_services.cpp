@@ -11,10 +11,7 @@ namespace ros2wasm_sim {
 
 WorldServices::WorldServices(Host& host, Simulation& simulation, Runner& runner,
                              std::function<void()> after_reset)
-    : host_(host),
-      simulation_(simulation),
-      runner_(runner),
-      after_reset_(std::move(after_reset)) {
+    : host_(host), simulation_(simulation), runner_(runner), after_reset_(std::move(after_reset)) {
   offer<ros_gz_interfaces::srv::SpawnEntity>(
       "/create", [this](const auto& request) { return create(request.entity_factory); });
   offer<ros_gz_interfaces::srv::DeleteEntity>(

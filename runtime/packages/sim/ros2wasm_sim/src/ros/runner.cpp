@@ -37,6 +37,7 @@ Runner::Runner(rclcpp::Node::SharedPtr node, Simulation& simulation,
       simulation_(simulation),
       after_step_(std::move(after_step)),
       last_(clock_.now()) {
+  hashes_ = node_->create_publisher<std_msgs::msg::UInt64>("/_gz/state_hash", rclcpp::QoS(1));
   timer_ = node_->create_wall_timer(4ms, [this] { tick(); });
 }
 
@@ -85,6 +86,12 @@ void Runner::step_once() {
   }
   ++steps_;
   after_step_();
+  const std::int64_t second = simulation_.time_ns() / 1'000'000'000;
+  if (second == hashed_s_) return;
+  hashed_s_ = second;
+  std_msgs::msg::UInt64 hash;
+  hash.data = simulation_.physics().state_hash();
+  hashes_->publish(hash);
 }
 
 void report_warnings(const rclcpp::Logger& logger, Physics& physics) {

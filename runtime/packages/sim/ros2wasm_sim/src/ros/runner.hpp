@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <std_msgs/msg/u_int64.hpp>
+
 #include "core/simulation.hpp"
 #include "plugins/table.hpp"
 #include "ros/host.hpp"
@@ -43,6 +45,10 @@ class Runner {
   rclcpp::Time
       last_;  ///< when time was last looked at; it is read from `clock_`, so it comes after it
   rclcpp::TimerBase::SharedPtr timer_;
+  /// /_gz/state_hash, each second of simulation: a digest of all positions and velocities, so that
+  /// the trace of a run has the state of the physics too.
+  rclcpp::Publisher<std_msgs::msg::UInt64>::SharedPtr hashes_;
+  std::int64_t hashed_s_ = -1;  ///< the second of the last one
 };
 
 /// Says what the physics leaves away.

@@ -42,6 +42,9 @@ void put(const Quaternion& q, mjtNum* out) {
 }
 
 constexpr int kMostContacts = 1000;
+/// How fast what overlaps is pushed apart (m/s). A robot that is put half into the ground rises out
+/// of it, where the engine's spring alone would throw it into the sky.
+constexpr double kSeparationSpeed = 0.3;
 constexpr int kMostStack = 40'000'000;  // 320 MB
 
 struct Motor {
@@ -425,6 +428,7 @@ class MujocoPhysics final : public Physics {
   /// of the new state; mj_forward() has done it before the first step.
   void step_once() {
     drive_motors();
+    separate_slowly();
     for (const int body : weightless_) {
       mjtNum* applied = data_->xfrc_applied + 6 * body;
       for (int i = 0; i < 3; ++i) applied[i] -= model_->body_mass[body] * model_->opt.gravity[i];
@@ -447,6 +451,18 @@ class MujocoPhysics final : public Physics {
       if (joint.dof < 0 || !joint.motor.on || motor_rows_[joint.dof] < 0) continue;
       const int row = motor_rows_[joint.dof];
       data_->efc_aref[row] += data_->efc_KBIP[4 * row + 1] * joint.motor.velocity;
+    }
+  }
+
+  /// The spring of a contact is critically damped: at a depth d it comes to the speed d / 2T, with
+  /// its time constant T. Deeper contacts push as if they were at the depth of the greatest speed.
+  void separate_slowly() {
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      const double deep = -contact.dist - 2 * contact.solref[0] * kSeparationSpeed;
+      const int row = contact.efc_address;
+      if (row >= 0 && contact.solref[0] > 0 && deep > 0)
+        data_->efc_aref[row] -= data_->efc_KBIP[4 * row] * data_->efc_KBIP[4 * row + 2] * deep;
     }
   }
 

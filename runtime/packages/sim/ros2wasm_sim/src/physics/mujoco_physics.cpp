@@ -12,6 +12,7 @@
 #include "physics/mjcf.hpp"
 #include "physics/mujoco_forces.hpp"
 #include "physics/mujoco_model.hpp"
+#include "physics/mujoco_rays.hpp"
 #include "physics/physics.hpp"
 
 namespace ros2wasm_sim {
@@ -227,19 +228,9 @@ class MujocoPhysics final : public Physics {
 
   void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
             std::vector<double>& distances) override {
-    std::array<mjtByte, mjNGROUP> groups{};
-    groups[sees == RaySees::kCollisions ? kCollisionGroup : kVisualGroup] = 1;
     distances.resize(rays.size());
-    const int without = body_of(exclude);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      mjtNum from[3], along[3];
-      put(rays[i].origin, from);
-      put(rays[i].direction, along);
-      int geom = -1;
-      const mjtNum far =
-          mj_ray(model_.get(), data_.get(), from, along, groups.data(), 1, without, &geom);
-      distances[i] = far < 0 ? kInfinity : far;
-    }
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      distances[i] = distance_along(*model_, *data_, rays[i], sees, body_of(exclude));
   }
 
   bool is_near(const Vector3& point, double distance, RaySees sees,

@@ -186,23 +186,51 @@ TEST(SdfWorld, TextsWithoutAWorldSayWhatTheyAre) {
             "warning f:1: <sdf> has no attribute `version`, so it is read as SDF 1.6\n");
 }
 
+/// Who could bring a model.
+std::string way_to(const std::string& name) {
+  return ". There is no package `" + name + "`; the package with the folder `" + name +
+         "` names it with <gazebo_ros gazebo_model_path=\"${prefix}/FOLDER\"/> in the <export> of "
+         "its "
+         "package.xml, or a launch file adds it to GAZEBO_MODEL_PATH or GZ_SIM_RESOURCE_PATH\n";
+}
+
 TEST(SdfWorld, MissingModelsAndMeshesAreWarnings) {
   EXPECT_EQ(notes_of_world("<include><uri>model://nothing</uri></include>"),
-            "warning world:1: the model model://nothing is not found (searched: /models)\n");
+            "warning world:1: the model model://nothing is not found (searched: /models)" +
+                way_to("nothing"));
   // So is a model of which nothing remains without it.
   EXPECT_EQ(notes_of_world("<model name='shelf'><include><uri>model://no</uri></include></model>"),
-            "warning world:1: the model model://no is not found (searched: /models)\n");
+            "warning world:1: the model model://no is not found (searched: /models)" +
+                way_to("no"));
   const std::string mesh =
       "<visual name='v%'><geometry><mesh><uri>model://x/y.dae</uri></mesh></geometry></visual>";
   const Reading<World> reading =
       read_world(world_text("<model name='m'><link name='l'>" + mesh + mesh + "</link></model>"),
                  "world", files({}));
   EXPECT_EQ(said(reading.notes),
-            "warning world:1: the mesh model://x/y.dae is not found (searched: /models)\n"
-            "warning world:1: the link has two <visual> elements `v%`\n");
+            "warning world:1: the mesh model://x/y.dae is not found (searched: /models)" +
+                way_to("x") + "warning world:1: the link has two <visual> elements `v%`\n");
   const Geometry& geometry = reading.value->models[0].links[0].visuals[1].geometry;
   EXPECT_EQ(std::get<Mesh>(geometry).uri, "model://x/y.dae");
   EXPECT_EQ(std::get<Mesh>(geometry).path, "");
+}
+
+TEST(SdfWorld, AFileThatItsPackageDoesNotInstallIsNamedWithItsFolder) {
+  Resources resources = files({});
+  resources.find = [](const std::string&, std::vector<std::string>& searched) {
+    searched.push_back("/ws/share/arm");
+    return std::optional<std::string>();
+  };
+  const std::string shape =
+      "<geometry><mesh><uri>package://arm/meshes/base.stl</uri></mesh></geometry>";
+  const Reading<World> reading =
+      read_world(world_text("<model name='m'><link name='l'><visual name='v'>" + shape +
+                            "</visual></link></model>"),
+                 "world", resources);
+  EXPECT_EQ(said(reading.notes),
+            "warning world:1: the mesh package://arm/meshes/base.stl is not found (searched: "
+            "/ws/share/arm). The package `arm` is there without it: mind upper and lower case, and "
+            "see whether its CMakeLists.txt or setup.py installs `meshes`\n");
 }
 
 TEST(SdfWorld, AFolderWithoutAModelIsAnError) {

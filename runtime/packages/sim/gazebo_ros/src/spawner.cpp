@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "gazebo_msgs/msg/model_states.hpp"
 #include "gazebo_msgs/srv/delete_entity.hpp"
 #include "gazebo_msgs/srv/spawn_entity.hpp"
+#include "ros2wasm_sim/description_topic.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "std_srvs/srv/empty.hpp"
 
@@ -21,6 +23,7 @@ namespace gazebo_ros {
 namespace {
 
 constexpr const char* kFactory = "GazeboRosFactory";
+constexpr std::chrono::seconds kPatience{5};
 
 std::string all_of(std::istream& from) {
   return {std::istreambuf_iterator<char>(from), {}};
@@ -117,9 +120,12 @@ std::optional<std::string> Spawner::text_of_topic() {
   const auto subscription = node_->create_subscription<std_msgs::msg::String>(
       arguments_.topic, rclcpp::QoS(1).transient_local(),
       [&](const std_msgs::msg::String& message) { text = message.data; });
+  bool has_waited = false;
   while (rclcpp::ok() && text.empty()) {
     RCLCPP_INFO(logger, "Waiting for entity xml on %s", topic);
-    executor_.spin_once();
+    executor_.spin_once(has_waited ? std::chrono::nanoseconds(-1) : kPatience);
+    if (text.empty() && rclcpp::ok() && !std::exchange(has_waited, true))
+      RCLCPP_WARN(logger, "%s", ros2wasm_sim::silent_description(*node_, arguments_.topic).c_str());
   }
   return text.empty() ? std::nullopt : std::optional(text);
 }

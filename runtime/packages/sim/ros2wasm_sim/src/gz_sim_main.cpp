@@ -7,6 +7,7 @@
 
 #include "ros/server.hpp"
 #include "ros/sim_server.hpp"
+#include "ros2wasm_sim/gz_names.hpp"
 
 namespace {
 
@@ -70,7 +71,7 @@ Arguments read(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   const Arguments arguments = read(rclcpp::init_and_remove_ros_arguments(argc, argv));
   ServerSettings settings;
-  settings.node = "_gz_sim";
+  settings.node = kServerNode;
   settings.flavour = Flavour::kSim;
   settings.seed = arguments.seed;
   settings.load = [&](const rclcpp::Logger& logger) {

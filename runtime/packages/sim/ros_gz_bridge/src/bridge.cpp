@@ -47,6 +47,7 @@ void Bridge::add_topic(const BridgeEntry& entry) {
       report("ROS->GZ", ros, gz);
       add_relay(entry, pair, false);
     }
+    watch_.add(entry, *pair);
   } catch (const std::exception&) {
     RCLCPP_WARN(get_logger(),
                 "Failed to create a bridge for topic [%s] with ROS2 type [%s] to topic [%s] with "
@@ -98,6 +99,7 @@ void Bridge::read_config_file() {
 void Bridge::beat() {
   if (!std::exchange(has_read_file_, true) && relays_.empty()) read_config_file();
   for (const auto& relay : relays_) relay->look();
+  watch_.look(*this);
 }
 
 int run_bridge(int argc, char** argv, bool needs_arguments) {

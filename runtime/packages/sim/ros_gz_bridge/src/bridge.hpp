@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bridge_argument.hpp"
+#include "bridge_watch.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "relay.hpp"
 #include "rosgraph_msgs/msg/clock.hpp"
@@ -31,6 +32,7 @@ class Bridge : public rclcpp::Node {
   Time now_;  ///< of the simulation, when a relay needs it
   rclcpp::Subscription<rosgraph_msgs::msg::Clock>::SharedPtr clock_;
   std::vector<std::unique_ptr<Relay>> relays_;
+  BridgeWatch watch_;
   std::vector<std::shared_ptr<void>> services_;
   rclcpp::TimerBase::SharedPtr heartbeat_;
 };

@@ -6,6 +6,7 @@
 
 #include "create_flags.hpp"
 #include "rclcpp/rclcpp.hpp"
+#include "ros2wasm_sim/description_topic.hpp"
 #include "ros_gz_interfaces/srv/spawn_entity.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "world.hpp"
@@ -39,7 +40,10 @@ bool take_from_topic(const rclcpp::Node::SharedPtr& node, const std::string& top
       topic, rclcpp::QoS(1).transient_local(), [&](const std_msgs::msg::String& message) {
         if (!std::exchange(is_known, true)) promise.set_value(message.data);
       });
-  while (rclcpp::ok()) {
+  constexpr int kPatience = 5;  // seconds
+  for (int waited = 0; rclcpp::ok(); ++waited) {
+    if (waited == kPatience)
+      RCLCPP_WARN(node->get_logger(), "%s", ros2wasm_sim::silent_description(*node, topic).c_str());
     RCLCPP_INFO(node->get_logger(), "Waiting messages on topic [%s].", topic.c_str());
     if (rclcpp::spin_until_future_complete(node, text, std::chrono::seconds(1)) ==
         rclcpp::FutureReturnCode::SUCCESS) {

@@ -23,4 +23,7 @@ inline std::string hidden_name(const std::string& gz_name) {
 /// loaded.
 inline const char* const kWorldName = "/_gz/gazebo/worlds";
 
+/// The node of the server, which has all of Gazebo's ends of topics.
+inline const char* const kServerNode = "_gz_sim";
+
 }  // namespace ros2wasm_sim

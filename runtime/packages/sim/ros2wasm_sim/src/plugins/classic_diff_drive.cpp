@@ -9,6 +9,7 @@
 
 #include "plugins/messages.hpp"
 #include "plugins/plugin.hpp"
+#include "plugins/wheel_watch.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -53,6 +54,7 @@ class ClassicDiffDrive final : public System {
   }
 
   void after_step(const Now& now) override {
+    wheels_->look(now);
     if (!from_world_) update_from_encoders(now);
   }
 
@@ -72,6 +74,8 @@ class ClassicDiffDrive final : public System {
     if (left.size() < pairs || right.size() < pairs)
       throw PluginError("Inconsistent number of joints specified. Plugin will not work.");
     const auto separations = given.all("wheel_separation"), diameters = given.all("wheel_diameter");
+    DrivenWheels wheels;
+    wheels.writes_diameter = true;
     for (std::size_t i = 0; i < pairs; ++i) {
       WheelPair pair;
       pair.left = joint_of(context, left[i]);
@@ -86,7 +90,12 @@ class ClassicDiffDrive final : public System {
       RCLCPP_INFO(node_->get_logger(), "Wheel pair %zu diameter set to [%fm]", i + 1,
                   pair.diameter);
       pairs_.push_back(pair);
+      wheels.left.push_back(context.plugin.model_scope + left[i]);
+      wheels.right.push_back(context.plugin.model_scope + right[i]);
     }
+    wheels.separation = pairs_.front().separation;
+    wheels.radius = pairs_.front().diameter / 2;
+    wheels_.emplace(context, wheels);
   }
 
   void connect() {
@@ -208,6 +217,7 @@ class ClassicDiffDrive final : public System {
   Rate rate_;
   std::int64_t last_ns_ = -1;  ///< of the last update; -1: there was none
   std::vector<WheelPair> pairs_;
+  std::optional<WheelWatch> wheels_;
   double max_torque_ = 5;        ///< N m
   double max_acceleration_ = 0;  ///< m/s^2; 0: no limit
   bool from_world_ = true;

@@ -1,6 +1,7 @@
 // libgazebo_ros_joint_state_publisher.so: positions and velocities of the joints that are named.
 #include <sensor_msgs/msg/joint_state.hpp>
 
+#include "checks/model_checks.hpp"
 #include "plugins/plugin.hpp"
 
 namespace ros2wasm_sim {
@@ -18,7 +19,8 @@ class ClassicJointStatePublisher final : public System {
       const JointHandle joint =
           physics_.joint(context.model->name, context.plugin.model_scope + name);
       if (!joint.valid()) {
-        RCLCPP_ERROR(node_->get_logger(), "Joint %s does not exist!", name.c_str());
+        RCLCPP_ERROR(node_->get_logger(), "Joint %s does not exist!%s", name.c_str(),
+                     nearest_joint(*context.model, context.plugin.model_scope + name).c_str());
         continue;
       }
       joints_.push_back(joint);

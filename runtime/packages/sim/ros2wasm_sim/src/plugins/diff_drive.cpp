@@ -8,6 +8,7 @@
 #include "plugins/gz_topics.hpp"
 #include "plugins/messages.hpp"
 #include "plugins/speed_limiter.hpp"
+#include "plugins/wheel_watch.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -32,6 +33,12 @@ class DiffDrive final : public System {
     frame_ = given_.text("frame_id", model + "/odom");
     child_frame_ = given_.text("child_frame_id", model + "/" + canonical);
     connect(context, "/model/" + model);
+    DrivenWheels wheels{{}, {}, separation_, radius_};
+    for (const std::string& name : given_.all("left_joint"))
+      wheels.left.push_back(context.plugin.model_scope + name);
+    for (const std::string& name : given_.all("right_joint"))
+      wheels.right.push_back(context.plugin.model_scope + name);
+    wheels_.emplace(context, wheels);
   }
 
   void before_step(const Now& now) override {
@@ -46,6 +53,7 @@ class DiffDrive final : public System {
   }
 
   void after_step(const Now& now) override {
+    wheels_->look(now);
     odometry_.update(physics_.position(left_.front().joint),
                      physics_.position(right_.front().joint), now.step);
     if (!rate_.due(now.time_ns)) return;
@@ -84,7 +92,8 @@ class DiffDrive final : public System {
       if (!joint.valid())
         throw PluginError("Failed to find " +
                           std::string(element == std::string("left_joint") ? "left" : "right") +
-                          " joint [" + name + "] for model [" + context.model->name + "]");
+                          " joint [" + name + "] for model [" + context.model->name + "]" +
+                          nearest_joint(*context.model, context.plugin.model_scope + name));
       wheels.push_back({joint, effort_limit(*context.model, context.plugin.model_scope + name)});
     }
     if (wheels.empty())
@@ -127,6 +136,7 @@ class DiffDrive final : public System {
   DiffDriveOdometry odometry_;
   Rate rate_;
   std::vector<Wheel> left_, right_;
+  std::optional<WheelWatch> wheels_;
   std::string frame_, child_frame_;
   bool enabled_ = true;
   double forward_ = 0, turn_ = 0;  ///< the last command, m/s and rad/s; it stays until another one

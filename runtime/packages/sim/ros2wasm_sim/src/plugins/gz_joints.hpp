@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/model_checks.hpp"
 #include "plugins/gz_topics.hpp"
 #include "plugins/pid.hpp"
 
@@ -16,7 +17,7 @@ inline JointHandle gz_joint(const PluginContext& context, const std::string& nam
       context.physics().joint(context.model->name, context.plugin.model_scope + name);
   if (!joint.valid())
     throw PluginError("Failed to find joint [" + name + "] for model [" + context.model->name +
-                      "]");
+                      "]" + nearest_joint(*context.model, context.plugin.model_scope + name));
   return joint;
 }
 

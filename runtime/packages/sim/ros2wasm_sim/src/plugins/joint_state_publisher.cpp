@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "checks/model_checks.hpp"
 #include "plugins/gz_topics.hpp"
 
 namespace ros2wasm_sim {
@@ -19,8 +20,8 @@ class JointStatePublisher final : public System {
     for (const std::string& name : wanted)
       if (std::none_of(context.model->joints.begin(), context.model->joints.end(),
                        [&](const Joint& joint) { return joint.name == name; }))
-        RCLCPP_ERROR(context.host.node()->get_logger(), "Joint with name[%s] not found.",
-                     name.c_str());
+        RCLCPP_ERROR(context.host.node()->get_logger(), "Joint with name[%s] not found.%s",
+                     name.c_str(), nearest_joint(*context.model, name).c_str());
     for (const Joint& joint : context.model->joints) {
       if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), joint.name) == wanted.end())
         continue;

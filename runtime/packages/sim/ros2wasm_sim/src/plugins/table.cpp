@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "checks/model_checks.hpp"
+#include "checks/plugin_checks.hpp"
 #include "plugins/plugin.hpp"
 
 namespace ros2wasm_sim {
@@ -151,15 +153,29 @@ class Maker {
                    "plugin [%s] (%s) does not work here: it must be inside a <sensor> of a link",
                    plugin.name.c_str(), plugin.filename.c_str());
     } else if (row != kPlugins.end() && model != nullptr) {
+      for (const std::string& remark : unread_elements(name, Parameters(plugin.xml)))
+        RCLCPP_WARN(host_.node()->get_logger(), "plugin [%s] of [%s]: %s", plugin.name.c_str(),
+                    model->name.c_str(), remark.c_str());
       make(row->make, {simulation_, host_, scene_, plugin, model, link, sensor});
     } else if (of_world != kWorldPlugins.end() && model == nullptr) {
       make(of_world->make, {simulation_, host_, scene_, plugin, nullptr, nullptr, nullptr});
     } else if (!is_built_in(name) && !brings_sensors_to_life(plugin)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
+      const std::string successor = successor_of(name, flavour_ == Flavour::kClassic);
       RCLCPP_WARN(host_.node()->get_logger(),
-                  "plugin [%s] (%s) is skipped: the simulator does not have it",
-                  plugin.name.c_str(), shown.c_str());
+                  "plugin [%s] (%s) is skipped: the simulator does not have it%s%s",
+                  plugin.name.c_str(), shown.c_str(),
+                  successor.empty() ? "" : ". In its place: ", successor.c_str());
     }
+  }
+
+  /// Says what is probably wrong with a model, where it begins.
+  void check(const Model& model) const {
+    const auto say = [&](const std::optional<std::string>& remark) {
+      if (remark) RCLCPP_WARN(host_.node()->get_logger(), "%s", remark->c_str());
+    };
+    say(inertia_remark(model));
+    if (const auto ground = ground_height(simulation_.world())) say(height_remark(model, *ground));
   }
 
   /// A sensor is of a link or of a joint; the other one is null.
@@ -231,13 +247,16 @@ class Maker {
 JointHandle joint_of(const PluginContext& context, const std::string& name) {
   const JointHandle joint =
       context.physics().joint(context.model->name, context.plugin.model_scope + name);
-  if (!joint.valid()) throw PluginError("Joint [" + name + "] not found, plugin will not work.");
+  if (!joint.valid())
+    throw PluginError("Joint [" + name + "] not found, plugin will not work." +
+                      nearest_joint(*context.model, context.plugin.model_scope + name));
   return joint;
 }
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
                                                              Simulation& simulation) {
   Maker maker(host_, flavour_, simulation, scene_);
+  maker.check(model);
   for (const Link& link : model.links)
     for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, &link, nullptr);
   for (const Joint& joint : model.joints)

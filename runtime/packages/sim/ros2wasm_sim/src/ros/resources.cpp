@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -101,10 +102,17 @@ Resources site_resources() {
   return {find, read, list};
 }
 
-std::optional<std::string> find_world(const std::string& name) {
+std::string listed(const std::vector<std::string>& folders) {
+  std::string result;
+  std::set<std::string> known;
+  for (const std::string& folder : folders)
+    if (known.insert(folder).second) result += (result.empty() ? "" : ", ") + folder;
+  return result.empty() ? "no folder was searched" : result;
+}
+
+std::optional<std::string> find_world(const std::string& name, std::vector<std::string>& searched) {
   std::error_code error;
   if (fs::is_regular_file(name, error)) return name;
-  std::vector<std::string> searched;
   if (const auto found = find(name, searched)) return found;
   for (const char* folder : {"worlds/", ""})
     if (const auto found = find_below(folder + name, searched)) return found;

@@ -10,7 +10,10 @@ namespace ros2wasm_sim {
 /// their like), then the share folders of packages.
 Resources site_resources();
 
-/// A world by path or by bare name.
-std::optional<std::string> find_world(const std::string& name);
+/// A world by path or by bare name. Adds the folders that were searched.
+std::optional<std::string> find_world(const std::string& name, std::vector<std::string>& searched);
+
+/// Folders for a message, each once.
+std::string listed(const std::vector<std::string>& folders);
 
 }  // namespace ros2wasm_sim

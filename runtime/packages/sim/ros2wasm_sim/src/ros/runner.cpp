@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "checks/real_time.hpp"
 #include "ros/resources.hpp"
 #include "sdf/read_sdf.hpp"
 
@@ -44,6 +45,7 @@ Runner::Runner(rclcpp::Node::SharedPtr node, Simulation& simulation,
 void Runner::pause(bool paused) {
   paused_ = paused;
   owed_ns_ = 0;
+  real_time_.restart();
   last_ = clock_.now();
 }
 
@@ -67,10 +69,19 @@ void Runner::run() {
   owed_ns_ = std::min(owed_ns_, std::max(kMostOwed, simulation_.step_ns()));
   // A step that takes longer than it advances must not keep the node from its services.
   const rclcpp::Time end = now + rclcpp::Duration(50ms);
+  const std::int64_t before = simulation_.time_ns();
   while (owed_ns_ >= simulation_.step_ns() && !paused_ && clock_.now() < end) {
     owed_ns_ -= simulation_.step_ns();
     step_once();
   }
+  const bool is_at_its_end = most_steps_ > 0 && steps_ >= most_steps_;
+  if (is_at_its_end) return;
+  if (const auto slow = real_time_.add(passed, simulation_.time_ns() - before, factor))
+    RCLCPP_WARN(node_->get_logger(),
+                "the simulation is slower than time: its real-time factor was %.2f for 5 s. What "
+                "takes time here: %s. A <max_step_size> of 0.002 halves the cost of the physics, "
+                "and sensors may need a lower <update_rate>",
+                *slow, costs_of(simulation_.world()).c_str());
 }
 
 void Runner::step_once() {
@@ -100,10 +111,12 @@ void report_warnings(const rclcpp::Logger& logger, Physics& physics) {
 }
 
 std::optional<World> load_world(const rclcpp::Logger& logger, const std::string& name) {
-  const auto path = find_world(name);
+  std::vector<std::string> searched;
+  const auto path = find_world(name, searched);
   const auto text = path ? site_resources().read(*path) : std::nullopt;
   if (!text) {
-    RCLCPP_ERROR(logger, "the world [%s] is not found", name.c_str());
+    RCLCPP_ERROR(logger, "the world [%s] is not found (searched: %s)", name.c_str(),
+                 listed(searched).c_str());
     return std::nullopt;
   }
   return load_world_text(logger, *text, *path);

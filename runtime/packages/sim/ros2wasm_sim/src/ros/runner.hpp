@@ -8,6 +8,7 @@
 
 #include <std_msgs/msg/u_int64.hpp>
 
+#include "checks/real_time.hpp"
 #include "core/simulation.hpp"
 #include "plugins/table.hpp"
 #include "ros/host.hpp"
@@ -44,6 +45,7 @@ class Runner {
   rclcpp::Clock clock_{RCL_STEADY_TIME};
   rclcpp::Time
       last_;  ///< when time was last looked at; it is read from `clock_`, so it comes after it
+  RealTimeWatch real_time_;
   rclcpp::TimerBase::SharedPtr timer_;
   /// /_gz/state_hash, each second of simulation: a digest of all positions and velocities, so that
   /// the trace of a run has the state of the physics too.

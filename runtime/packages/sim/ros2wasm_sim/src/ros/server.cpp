@@ -3,6 +3,7 @@
 
 #include "mesh/read_mesh.hpp"
 #include "ros/resources.hpp"
+#include "ros/world_watch.hpp"
 
 namespace ros2wasm_sim {
 
@@ -19,6 +20,7 @@ int run_server(const ServerSettings& settings) {
     PluginTable table(host, settings.flavour, {meshes, site_resources().read});
     Simulation simulation(std::move(*world), make_physics(meshes), table);
     const std::shared_ptr<void> offered = settings.offer(host, simulation);
+    const WorldWatch watch(node, settings.flavour == Flavour::kSim);
     executor.spin();
   } catch (const PhysicsError& error) {
     RCLCPP_ERROR(node->get_logger(), "the world cannot be simulated: %s", error.what());

@@ -45,7 +45,8 @@ bool WorldServices::create(const ros_gz_interfaces::msg::EntityFactory& factory)
     const auto found = resources.find(factory.sdf_filename, searched);
     const auto read = found ? resources.read(*found) : std::nullopt;
     if (!read) {
-      RCLCPP_ERROR(logger, "the model [%s] is not found", factory.sdf_filename.c_str());
+      RCLCPP_ERROR(logger, "the model [%s] is not found (searched: %s)",
+                   factory.sdf_filename.c_str(), listed(searched).c_str());
       return false;
     }
     text = *read;

@@ -32,6 +32,36 @@ std::string joined(const std::vector<std::string>& words) {
   return result;
 }
 
+/// Who could bring the file of `model://NAME/rest` or `package://NAME/rest`.
+std::string way_to_file(const std::string& uri, const std::vector<std::string>& searched) {
+  const std::size_t scheme = uri.find("://");
+  const std::string kind = uri.substr(0, scheme);
+  if (scheme == std::string::npos || (kind != "model" && kind != "package")) {
+    return "";
+  }
+  const std::string rest = uri.substr(scheme + 3);
+  const std::size_t slash = rest.find('/');
+  const std::string package = rest.substr(0, slash);
+  const std::string share = "/share/" + package;
+  const bool is_package =
+      std::any_of(searched.begin(), searched.end(), [&share](const std::string& folder) {
+        return folder.size() >= share.size() &&
+               folder.compare(folder.size() - share.size(), share.size(), share) == 0;
+      });
+  if (is_package && slash != std::string::npos) {
+    const std::string inside = rest.substr(slash + 1);
+    const std::string folder = inside.substr(0, inside.find('/'));
+    return ". The package `" + package +
+           "` is there without it: mind upper and lower case, and see "
+           "whether its CMakeLists.txt or setup.py installs `" +
+           folder + "`";
+  }
+  return ". There is no package `" + package + "`; the package with the folder `" + package +
+         "` names it with <gazebo_ros gazebo_model_path=\"${prefix}/FOLDER\"/> in the <export> of "
+         "its "
+         "package.xml, or a launch file adds it to GAZEBO_MODEL_PATH or GZ_SIM_RESOURCE_PATH";
+}
+
 }  // namespace
 
 void Context::add_note(Severity severity, const Node& where, const std::string& text) {
@@ -156,7 +186,8 @@ std::string Context::find(const std::string& uri, const Node& where, const std::
   }
   if (!result) {
     const std::string folders = searched.empty() ? "no folder was searched" : joined(searched);
-    warning(where, what + " " + uri + " is not found (searched: " + folders + ")");
+    warning(where, what + " " + uri + " is not found (searched: " + folders + ")" +
+                       way_to_file(uri, searched));
   }
   path = result.value_or("");
   return path;

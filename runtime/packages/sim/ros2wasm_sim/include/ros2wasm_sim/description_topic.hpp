@@ -9,7 +9,7 @@
 namespace ros2wasm_sim {
 
 /// To be said once, after 5 s without a message. `topic` as it was given.
-inline std::string silent_description(const rclcpp::Node& node, const std::string& topic) {
+inline std::string silent_description(rclcpp::Node& node, const std::string& topic) {
   const std::string name = node.get_node_topics_interface()->resolve_topic_name(topic);
   const auto publishers = node.get_publishers_info_by_topic(name);
   if (!publishers.empty()) {

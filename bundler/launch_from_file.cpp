@@ -12,8 +12,10 @@
 #include "bundler/launch/host/launch_world.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_file_nodes.hpp"
+#include "bundler/launch/launch_paths.hpp"
 #include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_tools.hpp"
+#include "bundler/workspace/environment_hooks.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 #include "workspace_schema/base/text_encoding.hpp"
@@ -152,7 +154,8 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
                                                 workspace.environment, workspace.manifest.distro);
   LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
-  world.variables = workspace.manifest.launch_variables;
+  world.variables = with_environment_hooks(workspace.manifest.launch_variables, workspace.installed,
+                                           launch_prefix(workspace.manifest.distro));
   Reading reading;
   PythonRecord record;
   const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;

@@ -147,12 +147,12 @@ std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
     add({.panel = std::string(found->panel),
          .file = place_in_site(configuration_of(process.node))});
   }
-  // Gazebo's own window shows the robots; a configuration of rviz2 says more.
+  // In the place of Gazebo's own window.
   if (std::any_of(description.processes.begin(), description.processes.end(),
                   [](const LaunchProcess& process) {
                     return process.node.package.value == kSimulatorPackage;
                   }))
-    add({.panel = "scene"});
+    add({.panel = "simulation"});
   return panels;
 }
 

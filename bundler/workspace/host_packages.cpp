@@ -8,7 +8,7 @@ namespace ros2wasm {
 namespace {
 
 struct HostPackage {
-  std::string_view name;  ///< a trailing `*` stands for any ending
+  std::string_view name;  ///< one `*` stands for any letters
   std::string_view reason;
 };
 
@@ -18,6 +18,7 @@ constexpr std::string_view kLaunchTool = "launch descriptions are read by ros2wa
 constexpr std::string_view kCommandTool = "a command line tool, of no use in a site";
 constexpr std::string_view kWindowTool = "a program with windows; the page shows what it would";
 constexpr std::string_view kLeftOut = "what needs it is skipped";
+constexpr std::string_view kGazebo = "the simulator of the site takes Gazebo's place";
 constexpr std::string_view kOwnMiddleware = "every site has its own middleware";
 
 constexpr auto kHostPackages = std::to_array<HostPackage>({
@@ -43,7 +44,12 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"ament_python", kBuildTool},
     {"cmake", kBuildTool},
     {"cv_bridge", kLeftOut},
+    {"gazebo", kGazebo},
+    {"gazebo11", kGazebo},
     {"git", kBuildTool},
+    {"gz-*", kGazebo},
+    {"gz_*_vendor", kGazebo},
+    {"ignition-*", kGazebo},
     {"image_geometry", kLeftOut},
     {"joint_state_publisher_gui", kWindowTool},
     {"launch", kLaunchTool},
@@ -51,6 +57,9 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"launch_testing*", kTestTool},
     {"launch_xml", kLaunchTool},
     {"launch_yaml", kLaunchTool},
+    {"libgazebo*", kGazebo},
+    {"libgz-*", kGazebo},
+    {"libignition-*", kGazebo},
     {"libopencv*", kLeftOut},
     {"opencv", kLeftOut},
     {"opencv2", kLeftOut},
@@ -88,13 +97,16 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"rosidl_generator_py", kBuildTool},
     {"rqt", kWindowTool},
     {"rviz2", kWindowTool},
+    {"sdformat*", kGazebo},
     {"setuptools", kBuildTool},
     {"xacro", kLaunchTool},
 });
 
 bool matches(std::string_view pattern, std::string_view name) {
-  if (pattern.ends_with('*')) return name.starts_with(pattern.substr(0, pattern.size() - 1));
-  return name == pattern;
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return name == pattern;
+  return name.size() >= pattern.size() - 1 && name.starts_with(pattern.substr(0, star)) &&
+         name.ends_with(pattern.substr(star + 1));
 }
 
 }  // namespace

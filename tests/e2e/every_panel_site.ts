@@ -23,6 +23,7 @@ const kLaunch = `<launch>
   <node pkg="lifecycle_sensor" exec="sensor" name="sensor" namespace="lab"/>
   <node pkg="board_companions_py" exec="pictures" args="/camera/image_raw"/>
   <node pkg="relay" exec="relay"/>
+  <executable cmd="gz sim -r shapes.sdf"/>
 </launch>
 `;
 
@@ -33,7 +34,7 @@ version: 1.0.0
 license: Apache-2.0
 distro: jazzy
 packages: [src/*]
-dependencies: [turtlesim, diagnostic_msgs]
+dependencies: [turtlesim, diagnostic_msgs, ros2wasm_sim]
 launch: all.launch.xml
 checks:
   - {title: Odometry comes often enough, topic: /odom, above: 5 Hz}

@@ -70,7 +70,7 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
     seen: (panel) => text(panel, "'lab'"),
   },
   nodes: {
-    seen: (panel) => text(panel, /\d+ of 8 running|Running/),
+    seen: (panel) => text(panel, /\d+ of 9 running|Running/),
   },
   console: { seen: (panel) => text(panel, /Driving to|Goal reached/) },
   topics: {
@@ -178,6 +178,13 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
         return [...(one?.getImageData(0, 0, 1, 1).data ?? [])].slice(0, 3).map((part) => part >> 7).join('');
       }));
       assert.deepEqual(bars, ['111', '110', '011', '010', '101', '100', '001', '000']);
+    },
+  },
+  simulation: {
+    async seen(panel) {
+      await text(panel, /^\d+ models$/);
+      await panel.getByRole('button', { name: 'ground_plane', exact: true }).waitFor();
+      await text(panel, /real time$/);
     },
   },
   scene: {

@@ -8,6 +8,7 @@
 // and meshes other than STL, OBJ and COLLADA are skipped, with a warning
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
@@ -342,7 +343,7 @@ for (const [index, lab] of labs.entries()) {
       await page.goto(server.url);
       await page.getByText(/drove 1\.0 m, in truth 1\.0 m, .* 1\.9 m ahead/).first().waitFor({ timeout: 120_000 });
       // In the place of Gazebo's window.
-      await page.locator('.panel-scene').waitFor();
+      await page.locator('.panel-simulation').waitFor();
       assert.deepEqual(troubles, []);
     } finally {
       await browser.close();
@@ -404,6 +405,8 @@ test('the template of a simulation: its checks pass, and two stepped runs of a s
     const traces = [];
     for (const name of ['first.trace', 'second.trace']) {
       const run = await workspace.run(['run', 'lab_site', '--stepped', '--seed', '7', '--for', '5s', '--trace', name]);
+      const hashes = readFileSync(join(workspace.root, name), 'utf8').split('\n').filter((line) => line.includes('"/_gz/state_hash"'));
+      assert.equal(hashes.length, 6, 'the state of the physics, each second of simulation');
       traces.push(/^trace: \d+ messages, sha256 \w+$/m.exec(run.stderr)?.[0] ?? assert.fail(run.stdout + run.stderr));
     }
     assert.equal(traces[0], traces[1]);

@@ -59,7 +59,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', diagnostics: 'Diagnostics', lifecycle: 'Lifecycle', timeline: 'States', checks: 'Checks', tasks: 'Tasks', source: 'Source', terminal: 'Terminal', notebook: 'Notebook', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view', joints: 'Joints', bag: 'Bag' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', diagnostics: 'Diagnostics', lifecycle: 'Lifecycle', timeline: 'States', checks: 'Checks', tasks: 'Tasks', source: 'Source', terminal: 'Terminal', notebook: 'Notebook', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view', simulation: 'Simulation', joints: 'Joints', bag: 'Bag' },
   panelTabs: 'Panels',
 
   layout: {

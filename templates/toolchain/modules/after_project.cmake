@@ -10,6 +10,7 @@ endif()
 
 include("${ROS2WASM_TOOLCHAIN_DIR}/modules/add_library.cmake")
 include("${ROS2WASM_TOOLCHAIN_DIR}/modules/not_found.cmake")
+include("${ROS2WASM_TOOLCHAIN_DIR}/modules/gazebo.cmake")
 
 # Programs that include what nothing gives: a first build found that out.
 if(ROS2WASM_MISSING_HEADERS)

@@ -52,6 +52,7 @@ endfunction()
 
 # Of a folder and those below it, once all targets are known.
 function(_ros2wasm_leave_out folder)
+  _ros2wasm_mark_users_of_gazebo("${folder}")
   get_property(_targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
   foreach(_target IN LISTS _targets)
     _ros2wasm_absent_need(${_target} _need)

@@ -198,6 +198,10 @@ TEST(SdfWorld, MissingModelsAndMeshesAreWarnings) {
   EXPECT_EQ(notes_of_world("<include><uri>model://nothing</uri></include>"),
             "warning world:1: the model model://nothing is not found (searched: /models)" +
                 way_to("nothing"));
+  // So is a model of which nothing remains without it.
+  EXPECT_EQ(notes_of_world("<model name='shelf'><include><uri>model://no</uri></include></model>"),
+            "warning world:1: the model model://no is not found (searched: /models)" +
+                way_to("no"));
   const std::string mesh =
       "<visual name='v%'><geometry><mesh><uri>model://x/y.dae</uri></mesh></geometry></visual>";
   const Reading<World> reading =

@@ -177,4 +177,46 @@ TEST(Xml, NoTextBringsTheReaderDown) {
   }
 }
 
+/// A mast on a base, which turns, with a camera in its own frame.
+const std::string kSdf = R"(<sdf version="1.9"><model name="mast">
+  <link name="base"><inertial><mass>4</mass></inertial></link>
+  <link name="pole"><pose relative_to="turn">0 0 0.5 0 0 0</pose>
+    <visual name="look"><geometry><cylinder><radius>.1</radius><length>1</length></cylinder></geometry></visual></link>
+  <link name="eye"><pose>0 1 2 0 0 0</pose></link>
+  <joint name="turn" type="revolute"><pose relative_to="base">0 1 0 0 0 1.5707963267948966</pose>
+    <parent>base</parent><child>pole</child><axis><xyz expressed_in="__model__">1 0 0</xyz></axis></joint>
+  <joint name="hold" type="fixed"><parent>pole</parent><child>eye</child></joint>
+</model></sdf>)";
+
+TEST(Urdf, ReadsAModelOfSdf) {
+  urdf::Model model;
+  ASSERT_TRUE(model.initString(kSdf));
+  EXPECT_EQ(model.getName(), "mast");
+  EXPECT_EQ(model.getRoot()->name, "base");
+  EXPECT_EQ(model.getRoot()->inertial->mass, 4);
+  const auto turn = model.getJoint("turn");
+  EXPECT_EQ(turn->type, urdf::Joint::CONTINUOUS);  // without limits
+  EXPECT_NEAR(turn->parent_to_joint_origin_transform.position.y, 1, 1e-9);
+  // The axis along x of the model is seen from a joint that is turned by a quarter.
+  EXPECT_NEAR(turn->axis.y, -1, 1e-9);
+  // The frame of the pole is that of its joint, half a metre below its own middle.
+  EXPECT_NEAR(model.getLink("pole")->visual->origin.position.z, 0.5, 1e-9);
+  // The eye is at (0, 1, 2), above the joint at (0, 1, 0).
+  const auto& hold = model.getJoint("hold")->parent_to_joint_origin_transform;
+  EXPECT_NEAR(hold.position.x, 0, 1e-9);
+  EXPECT_NEAR(hold.position.y, 0, 1e-9);
+  EXPECT_NEAR(hold.position.z, 2, 1e-9);
+}
+
+TEST(Urdf, RefusesSdfThatIsNoRobot) {
+  EXPECT_EQ(refusal("<sdf version='1.9'><world name='w'/></sdf>"),
+            "SDF needs one <model> for a robot, not 0");
+  EXPECT_EQ(refusal("<sdf version='1.9'><model name='m'><link name='a'><pose "
+                    "relative_to='b'/></link></model></sdf>"),
+            "there is no frame 'b' in the model");
+  EXPECT_EQ(refusal("<sdf version='1.9'><model name='m'><link name='a'><pose relative_to='b'/>"
+                    "</link><link name='b'><pose relative_to='a'/></link></model></sdf>"),
+            "the pose of 'a' is relative to itself");
+}
+
 }  // namespace

@@ -84,7 +84,7 @@ export function readVariance(value: unknown): PoseVariance {
   return { x: at('x'), y: at('y'), yaw: at('yaw') };
 }
 
-function readImages(value: unknown): readonly ImageOverlay[] {
+export function readImages(value: unknown): readonly ImageOverlay[] {
   if (!Array.isArray(value)) return [];
   return value
     .slice(0, kMostImages)

@@ -203,6 +203,15 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./scene.tsx').then((file) => file.ScenePanel) },
   },
   {
+    id: 'simulation',
+    title: texts.panels.simulation,
+    icon: 'simulation',
+    group: 'see',
+    watched: true,
+    fits: (site) => site.nodes.some((node) => node.package === 'ros2wasm_sim'),
+    source: { kind: 'lazy', load: () => import('./simulation.tsx').then((file) => file.SimulationPanel) },
+  },
+  {
     id: 'joints',
     title: texts.panels.joints,
     icon: 'sliders',

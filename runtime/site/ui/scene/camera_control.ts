@@ -22,6 +22,14 @@ export interface CameraHost {
   /** In pixels of the canvas. */
   setPoint(x: number, y: number): void;
   leaveTool(): void;
+  /** Takes the first pointer for itself until it goes up; null: it turns the view, as usual. */
+  grab?(x: number, y: number, event: PointerEvent): Grab | null;
+}
+
+export interface Grab {
+  /** In pixels of the canvas. */
+  move(x: number, y: number): void;
+  end(): void;
 }
 
 export interface GroundPose {
@@ -46,6 +54,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   let goalStart: { readonly place: Vector; readonly x: number; readonly y: number } | null = null;
   /** Where the pointer of a tool for points went down, until it is further than a press. */
   let press: Pointer | null = null;
+  let grab: Grab | null = null;
   /** The angle in radians by which keys have turned the heading. */
   let keyTurn = 0;
   let settling: ReturnType<typeof setTimeout> | undefined;
@@ -63,6 +72,12 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
     if (event.pointerType === 'mouse') event.preventDefault(); // no text is selected, no autoscroll begins
     canvas.focus({ preventScroll: true });
     const isFirst = pointers.size === 1 && event.button === 0;
+    grab?.end(); // a second finger moves the view
+    grab = isFirst ? (host.grab?.(at.x, at.y, event) ?? null) : null;
+    if (grab !== null) {
+      press = null;
+      return;
+    }
     press = host.aims() === 'point' && isFirst ? { ...at } : null;
     const isGoal = host.aims() === 'pose' && isFirst;
     const place = isGoal ? host.groundAt(at.x, at.y) : null;
@@ -83,6 +98,11 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
     const pointer = pointers.get(event.pointerId);
     if (pointer === undefined) return;
     const at = placeOf(event);
+    if (grab !== null) {
+      grab.move(at.x, at.y);
+      [pointer.x, pointer.y] = [at.x, at.y];
+      return;
+    }
     const goal = goalAt(at);
     if (goal !== null) {
       host.aim(goal);
@@ -108,6 +128,11 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   const up = (event: PointerEvent): void => {
     const goal = event.type === 'pointerup' ? goalAt(placeOf(event)) : null;
     if (!pointers.delete(event.pointerId)) return;
+    if (grab !== null) {
+      grab.end();
+      grab = null;
+      return;
+    }
     if (goalStart !== null) {
       goalStart = null;
       host.aim(null);
@@ -178,6 +203,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
   return () => {
     clearTimeout(settling);
+    grab?.end();
     abort.abort();
   };
 }

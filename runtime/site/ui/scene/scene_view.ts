@@ -26,6 +26,10 @@ export interface SceneHost {
   now(): number;
   /** Wants to draw again at that time. */
   wake(at: number): void;
+  /** Frames that are drawn as axes; all, when omitted. */
+  readonly showsFrame?: ((name: string) => boolean) | undefined;
+  /** Everything has its place, and is about to be drawn. */
+  readonly arranged?: (() => void) | undefined;
 }
 
 export class SceneView {
@@ -180,6 +184,7 @@ export class SceneView {
     this.stage.setOrigin(eye?.kind === 'found' ? eye.transform.translation : kIdentity.translation);
     this.axes.fit(this.camera);
     for (const [topic, display] of this.displays) this.lost.set(topic, this.place(display));
+    this.host.arranged?.();
     this.changes += 1;
   }
 
@@ -195,6 +200,7 @@ export class SceneView {
     const places: FramePlace[] = [];
     const transforms = this.tree.places(this.fixed);
     for (const { name, parent } of this.tree.views()) {
+      if (this.host.showsFrame?.(name) === false) continue;
       const transform = transforms.get(name);
       if (transform !== undefined) places.push({ name, parent, transform });
     }

@@ -3,9 +3,9 @@
 
 import {
   AmbientLight, Color, DirectionalLight, GridHelper, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene,
-  Vector2, Vector3, WebGLRenderer,
+  Mesh, MeshStandardMaterial, Vector2, Vector3, WebGLRenderer,
 } from 'three';
-import type { Intersection, Object3D } from 'three';
+import type { Intersection, Material, Object3D } from 'three';
 import { eyeOf, kFieldOfView, metresPerPixel } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import type { Vector } from '../model/transform.ts';
@@ -33,11 +33,14 @@ export class Stage {
   private readonly observer: ResizeObserver;
   private grid: GridHelper | null = null;
   private gridShown = true;
+  private gridHeight = 0;
+  private shadows = false;
   private view: CameraView;
   /** The point around which the view is: the origin of the frame that it follows. */
   private origin: Vector = [0, 0, 0];
   private frame = 0;
   private drawings = 0;
+  private readonly sun = new DirectionalLight(0xffffff, 1.6);
   private readonly resolution = new Resolution();
   /** Nothing moves any more: the next picture may take its time. */
   private atRest = false;
@@ -63,11 +66,10 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, context });
     this.perspective.up.set(0, 0, 1);
     this.flat.up.set(0, 1, 0);
-    const sun = new DirectionalLight(0xffffff, 1.6);
-    sun.position.set(3, 2, 6);
+    this.sun.position.set(3, 2, 6);
     const back = new DirectionalLight(0xffffff, 0.5);
     back.position.set(-4, -3, 2);
-    this.scene.add(new AmbientLight(0xffffff, 1.5), sun, back);
+    this.scene.add(new AmbientLight(0xffffff, 1.5), this.sun, this.sun.target, back);
     this.setColors();
     this.observer = new ResizeObserver(() => this.draw());
     this.observer.observe(canvas);
@@ -94,6 +96,7 @@ export class Stage {
     this.grid.material.transparent = true;
     this.grid.material.opacity = 0.55;
     this.grid.visible = this.gridShown;
+    this.grid.position.z = this.gridHeight;
     this.scene.add(this.grid);
     this.draw();
   }
@@ -112,6 +115,41 @@ export class Stage {
   /** Taken into account by the next drawing. */
   setOrigin(origin: Vector): void {
     this.origin = origin;
+  }
+
+  /** Solid objects throw shadows and take them. */
+  showShadows(shown: boolean): void {
+    this.shadows = shown;
+    this.renderer.shadowMap.enabled = shown;
+    this.sun.castShadow = shown;
+    const side = drawsInSoftware() ? 1024 : 2048;
+    this.sun.shadow.mapSize.set(side, side);
+    this.sun.shadow.bias = -0.0005;
+    this.sun.shadow.normalBias = 0.01;
+    this.scene.traverse((one) => {
+      // Whether a material takes shadows is part of its program.
+      if (one instanceof Mesh) for (const each of [one.material].flat()) (each as Material).needsUpdate = true;
+    });
+    this.draw();
+  }
+
+  /** The grid stands on a floor, with which its lines would compete. */
+  raiseGrid(height: number): void {
+    this.gridHeight = height;
+    if (this.grid !== null) this.grid.position.z = height;
+  }
+
+  /** The point under one of the canvas, in the plane through `place` that faces the eye; null when there is none. */
+  besideAt(x: number, y: number, place: Vector): Vector | null {
+    const { ray } = this.ray(x, y);
+    const plane = new Plane().setFromNormalAndCoplanarPoint(this.ahead(), new Vector3(...place));
+    const met = ray.intersectPlane(plane, new Vector3());
+    return met === null ? null : [met.x, met.y, met.z];
+  }
+
+  /** Into the picture, of length 1. */
+  ahead(): Vector3 {
+    return this.place().getWorldDirection(new Vector3());
   }
 
   /** Draws in the next animation frame. */
@@ -156,6 +194,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return; // behind another tab; being shown resizes it
     this.beforeDrawing();
+    if (this.shadows) this.castShadows();
     const { atRest } = this;
     this.atRest = false;
     clearTimeout(this.resting);
@@ -178,6 +217,25 @@ export class Stage {
     });
     if (this.resolution.share < 1) this.resting = setTimeout(this.rest, kRestMs);
   };
+
+  /** Fits the shadows to what is around the middle of the picture. */
+  private castShadows(): void {
+    this.scene.traverse((one) => {
+      if (!(one instanceof Mesh) || !((one as Mesh).material instanceof MeshStandardMaterial)) return;
+      const { transparent } = (one as Mesh).material as MeshStandardMaterial;
+      one.castShadow = !transparent;
+      one.receiveShadow = !transparent;
+    });
+    const { target, distance } = this.view;
+    const reach = Math.max(2, Math.min(40, distance * 1.5));
+    const middle = new Vector3(...target).add(new Vector3(...this.origin));
+    this.sun.target.position.copy(middle);
+    this.sun.position.copy(middle).add(new Vector3(3, 2, 6).setLength(4 * reach));
+    const { camera } = this.sun.shadow;
+    [camera.left, camera.right, camera.bottom, camera.top] = [-reach, reach, -reach, reach];
+    [camera.near, camera.far] = [0.1 * reach, 8 * reach];
+    camera.updateProjectionMatrix();
+  }
 
   /** Puts the picture as it was last drawn over the canvas, from where it fades. */
   private coverWithLast(): void {

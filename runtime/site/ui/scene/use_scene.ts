@@ -1,10 +1,9 @@
 // A scene on a canvas for as long as a component stands: fed from the session's topics, turned by its visitor.
 
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
-import { fetchOfSite } from '../../program/carried_files.ts';
-import type { PageTimer, Session } from '../../contract/session.ts';
+import type { Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
-import { kUsualView, writeView } from '../model/camera_view.ts';
+import { writeView } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import { kPlainLook } from '../model/display_look.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
@@ -13,15 +12,12 @@ import { followTransforms } from '../parts/follow_transforms.ts';
 import { feed } from '../parts/message_feed.ts';
 import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
-import { panelTexts } from '../texts_panels.ts';
-import { controlCamera } from './camera_control.ts';
 import type { GroundPose } from './camera_control.ts';
 import { kOdometry, makeDisplay, updatesOf } from './kinds.ts';
 import type { DisplayContext } from './display.ts';
-import { MeshShelf } from './mesh_shelf.ts';
+import { openScene, shelfOf } from './open_scene.ts';
 import type { Picked } from './pick.ts';
-import { SceneView } from './scene_view.ts';
-import { Stage } from './stage.ts';
+import type { SceneView } from './scene_view.ts';
 
 export interface ShownTopic {
   readonly name: string;
@@ -58,8 +54,6 @@ export interface Scene {
   readonly newest: (topic: string) => unknown;
 }
 
-const kWordsMs = 250;
-
 export function useScene(use: SceneUse): Scene {
   const { session, codec, options, shown } = use;
   const latest = useRef(use);
@@ -81,59 +75,25 @@ export function useScene(use: SceneUse): Scene {
   useEffect(() => {
     const element = canvas.current;
     if (element === null || veil.current === null) return undefined;
-    let scene: SceneView | null = null;
-    let alarm: PageTimer | undefined;
-    const stage = Stage.open(element, veil.current, latest.current.options.view, () => scene?.arrange());
-    if (stage === null) {
-      setProblem(panelTexts.scene.noWebGl);
-      return undefined;
-    }
-    const made = new SceneView(stage, tree, latest.current.options.view, {
-      now: () => session.time.view().now / 1000,
-      wake(at) {
-        alarm?.close();
-        const inMs = at * 1000 - session.time.view().now;
-        alarm = session.node().timer(Math.max(10, Math.min(inMs, 1e9)), () => {
-          alarm?.close();
-          alarm = undefined;
-          made.messageTaken();
-        });
-      },
+    const opened = openScene({
+      session, tree, veil: veil.current, canvas: element, view: latest.current.options.view,
+      onProblem: setProblem,
+      onWords: tell,
+      hand: ({ view: made }) => ({
+        settle: () => {
+          settled.current = keyOf(made.view);
+          latest.current.onView(made.view);
+        },
+        aims: () => latest.current.aims,
+        setPose: (pose) => latest.current.onPose(pose, made.fixedFrame),
+        setPoint: (x, y) => latest.current.onPick(made.pick(x, y), made.fixedFrame),
+        leaveTool: () => latest.current.onLeaveTool(),
+      }),
     });
-    scene = made;
-    setView(made);
-    const stop = controlCamera(element, {
-      view: () => made.view,
-      look: (next) => made.look(next),
-      settle: () => {
-        settled.current = keyOf(made.view);
-        latest.current.onView(made.view);
-      },
-      home: () => made.look({ ...kUsualView, top: made.view.top }),
-      aims: () => latest.current.aims,
-      groundAt: (x, y) => stage.groundAt(x, y),
-      aim: (pose) => made.aim(pose),
-      setPose: (pose) => latest.current.onPose(pose, made.fixedFrame),
-      setPoint: (x, y) => latest.current.onPick(made.pick(x, y), made.fixedFrame),
-      leaveTool: () => latest.current.onLeaveTool(),
-    });
-    const lost = (): void => setProblem(panelTexts.scene.lost);
-    const back = (): void => setProblem('');
-    element.addEventListener('webglcontextlost', lost);
-    element.addEventListener('webglcontextrestored', back);
-    // Information in words follows at a pace that can be read.
-    let told = -1;
-    const timer = setInterval(() => {
-      if (told !== made.version) tell();
-      told = made.version;
-    }, kWordsMs);
+    if (opened === null) return undefined;
+    setView(opened.view);
     return () => {
-      clearInterval(timer);
-      element.removeEventListener('webglcontextlost', lost);
-      element.removeEventListener('webglcontextrestored', back);
-      stop();
-      alarm?.close();
-      made.close();
+      opened.close();
       setView(null);
     };
   }, [session]);
@@ -223,18 +183,6 @@ export function useScene(use: SceneUse): Scene {
     begin();
   };
   return { canvas, veil, view, tree, problem, forget, unreadable, newest: (topic) => newest.current.get(topic) };
-}
-
-function shelfOf(session: Session, view: SceneView): MeshShelf {
-  const sizes = new Map(session.site.files.map(({ path, size }) => [path, size]));
-  return new MeshShelf({
-    size: (path) => sizes.get(path),
-    async read(path) {
-      const response = await fetchOfSite(path);
-      if (!response.ok) throw new Error(`HTTP ${response.status}`);
-      return response.arrayBuffer();
-    },
-  }, () => view.messageTaken());
 }
 
 function keyOf(view: CameraView): string {

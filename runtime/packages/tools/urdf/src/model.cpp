@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elements.hpp"
+#include "sdf_model.hpp"
 
 namespace urdf {
 namespace {
@@ -57,8 +58,7 @@ void check_tree(const ModelInterface& model) {
   }
 }
 
-void read_robot(const std::string& text, ModelInterface& model) {
-  const XmlDocument xml(text);
+void read_urdf(const XmlDocument& xml, ModelInterface& model) {
   if (xml.root().name != "robot") {
     throw ParseError("Could not find the 'robot' element in the xml file");
   }
@@ -80,6 +80,15 @@ void read_robot(const std::string& text, ModelInterface& model) {
   }
   for (const XmlElement* element : xml.children(xml.root(), "joint")) {
     add(model.joints_, joint_of(xml, *element), "joint");
+  }
+}
+
+void read_robot(const std::string& text, ModelInterface& model) {
+  const XmlDocument xml(text);
+  if (xml.root().name == "sdf") {
+    read_sdf(xml, model);
+  } else {
+    read_urdf(xml, model);
   }
   std::map<std::string, std::string> parents;
   model.initTree(parents);

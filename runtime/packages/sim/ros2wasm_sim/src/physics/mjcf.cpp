@@ -127,7 +127,7 @@ class ModelWriter {
     bodies_ += "<inertial pos=\"" + text(centre) + "\" mass=\"" +
                number(std::max(link.inertial.mass, kLeastMass)) + "\" fullinertia=\"" +
                inertia(link.inertial, link.name, mjcf_.warnings) + "\"/>\n";
-    bodies_ += shapes_.shapes_of(link, joint, is_free || joint != nullptr, mjcf_);
+    bodies_ += shapes_.shapes_of(link, {joint, is_free || joint != nullptr, pose}, mjcf_);
   }
 
   void write_joint(const Joint& joint) {
@@ -258,13 +258,15 @@ Mjcf write_mjcf(const World& world, const MeshReader& meshes, const MjcfLimits& 
     for (int i = 0; i < kSpareWelds; ++i) equalities += "<weld body1=\"b0\" active=\"false\"/>\n";
   const double step = world.physics.max_step_size;
   // Limits and motors answer within two steps, which is as quick as the engine can be. Contacts
-  // keep its time constant, as stacks of boxes shake with a shorter one, but give way less.
+  // keep its time constant, as stacks of boxes shake with a shorter one, but give way less. A mesh
+  // touches at several points (multiccd), so that it stands still.
   const std::string solref = number(2 * step) + " 1";
   mjcf.xml =
       "<mujoco>\n<compiler angle=\"radian\" inertiafromgeom=\"false\" balanceinertia=\"true\"/>\n"
       "<option timestep=\"" +
       number(step) + "\" gravity=\"" + text(world.gravity) +
-      "\" cone=\"elliptic\" integrator=\"Euler\" jacobian=\"auto\"/>\n"
+      "\" cone=\"elliptic\" integrator=\"Euler\" jacobian=\"auto\"><flag "
+      "multiccd=\"enable\"/></option>\n"
       "<size nconmax=\"" +
       std::to_string(limits.contacts) + "\" njmax=\"" + std::to_string(4 * limits.contacts) +
       "\" nstack=\"" + std::to_string(limits.stack) +

@@ -4,11 +4,17 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "physics/mesh_pieces.hpp"
+
 namespace ros2wasm_sim {
 namespace {
 
 /// Courses write 100000 for "does not slip"; above this the engine's wheels turn less exactly.
 constexpr double kMostFriction = 2;
+
+/// Treads of wheels roll on slabs of a mesh that are no steeper than this: the upward part of the
+/// normal.
+constexpr double kGroundSlope = 0.9;
 
 // Bits beyond the sixteen of SDF. The tread of a wheel meets planes only, the wheel's own cylinder
 // everything else.
@@ -73,6 +79,11 @@ void note_direction(const Collision& shape, const Link& link, const std::string&
   mjcf.names.directed.push_back(one);
 }
 
+/// The same mesh: by its file, part and scale.
+std::string key_of(const Mesh& mesh) {
+  return mesh.path + "\n" + mesh.submesh + "\n" + text(mesh.scale);
+}
+
 std::string bits(std::uint32_t type, std::uint32_t affinity) {
   return " contype=\"" + std::to_string(static_cast<std::int32_t>(type)) + "\" conaffinity=\"" +
          std::to_string(static_cast<std::int32_t>(affinity)) + "\"";
@@ -110,26 +121,25 @@ int ShapeWriter::priority(double mu) const {
   return priorities_.at(mu);
 }
 
-std::string ShapeWriter::shapes_of(const Link& link, const Joint* joint, bool moves, Mjcf& mjcf) {
+std::string ShapeWriter::shapes_of(const Link& link, const Mount& mount, Mjcf& mjcf) {
   std::string geoms;
-  for (const Collision& shape : link.collisions)
-    geoms += collision(shape, link, joint, moves, mjcf);
+  for (const Collision& shape : link.collisions) geoms += collision(shape, link, mount, mjcf);
   for (const Visual& shape : link.visuals) geoms += visual(shape, mjcf);
   return geoms;
 }
 
-std::string ShapeWriter::collision(const Collision& shape, const Link& link, const Joint* joint,
-                                   bool moves, Mjcf& mjcf) {
+std::string ShapeWriter::collision(const Collision& shape, const Link& link, const Mount& mount,
+                                   Mjcf& mjcf) {
   const std::string what = "collision `" + shape.name + "` of link `" + link.name + "`";
-  const std::string where = form(shape.geometry, shape.pose, moves, what, mjcf);
+  const std::string where = form(shape.geometry, shape.pose, mount.moves, what, mjcf);
   if (where.empty()) return {};
   const std::string name = "c" + std::to_string(mjcf.names.collisions.size());
   const std::string& model = mjcf.names.link_names.back().first;
   mjcf.names.collisions.push_back(model + "::" + link.name + "::" + shape.name);
   const auto geom = [&](const std::string& form, std::uint32_t type, std::uint32_t affinity,
-                        int group, const std::string& more = {}) {
+                        int group, const std::string& suffix = {}, const std::string& more = {}) {
     const double mu = friction_of(shape.surface);
-    const std::string geom_name = name + (group == kContactOnlyGroup ? "t" : "");
+    const std::string geom_name = name + suffix;
     note_direction(shape, link, geom_name, mjcf);
     return "<geom name=\"" + geom_name + "\"" + form + bits(type, affinity) + " group=\"" +
            std::to_string(group) + "\" priority=\"" + std::to_string(priority(mu)) +
@@ -140,7 +150,26 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   if (surface.collide_without_contact) return geom(where, 0, 0, kCollisionGroup);
   if (std::holds_alternative<Plane>(shape.geometry))
     return geom(where, kGround, surface.collide_bitmask | kTread, kCollisionGroup);
-  if (!is_wheel(shape, joint))
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh != nullptr && !mount.moves) {
+    const std::vector<Piece>& pieces = pieces_of(*mesh, what, mjcf);
+    std::string geoms = pieces.empty() ? "" : geom(where, 0, 0, kCollisionGroup);  // for rays
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Piece& piece = pieces[i];
+      const std::string form =
+          (piece.asset.empty() ? " type=\"box\" size=\"" + text(0.5 * piece.box) + "\""
+                               : " type=\"mesh\" mesh=\"" + piece.asset + "\"") +
+          placed(shape.pose * piece.pose);
+      const std::string suffix = "p" + std::to_string(i);
+      const Pose in_world = mount.pose * shape.pose;
+      const bool is_ground = rotate(in_world.orientation, piece.normal).z > kGroundSlope;
+      geoms += is_ground ? geom(form, kGround, surface.collide_bitmask | kTread, kContactOnlyGroup,
+                                suffix)
+                         : geom(form, surface.category_bitmask, surface.collide_bitmask,
+                                kContactOnlyGroup, suffix);
+    }
+    if (!pieces.empty()) return geoms;
+  }
+  if (!is_wheel(shape, mount.joint))
     return geom(where, surface.category_bitmask, surface.collide_bitmask, kCollisionGroup);
   // A cylinder scrubs on two edges when it turns; a sphere of its radius rolls on one point. It is
   // stiff, so that it does not sink in and slip.
@@ -148,7 +177,7 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   const std::string tread =
       " type=\"sphere\" size=\"" + number(wheel.radius) + "\"" + placed({shape.pose.position, {}});
   return geom(where, kWheel, surface.collide_bitmask | kWheel, kCollisionGroup) +
-         geom(tread, kTread, 0, kContactOnlyGroup,
+         geom(tread, kTread, 0, kContactOnlyGroup, "t",
               " solmix=\"1000\" solref=\"" + number(2 * step_) + " 1\"");
 }
 
@@ -201,7 +230,7 @@ std::string ShapeWriter::form(const Geometry& geometry, const Pose& pose, bool m
 }
 
 std::string ShapeWriter::mesh(const Mesh& mesh, const std::string& what, Mjcf& mjcf) {
-  const std::string key = mesh.path + "\n" + mesh.submesh + "\n" + text(mesh.scale);
+  const std::string key = key_of(mesh);
   const auto known = mesh_names_.find(key);
   if (known != mesh_names_.end()) return known->second;
   std::string& name = mesh_names_[key];
@@ -210,14 +239,41 @@ std::string ShapeWriter::mesh(const Mesh& mesh, const std::string& what, Mjcf& m
     mjcf.warnings.push_back(what + " is skipped: its mesh `" + mesh.uri + "` cannot be read");
     return name;
   }
-  name = "mesh" + std::to_string(mesh_names_.size());
+  name = "mesh" + std::to_string(++assets_written_);
   mjcf.names.meshes[name] = mesh.path;
+  const TriangleMesh solid = with_thickness(*read, mesh.scale);
   assets_ += "<mesh name=\"" + name + "\" scale=\"" + text(mesh.scale) + "\" vertex=\"";
-  for (const float value : read->vertices) assets_ += number(value) + " ";
+  for (const float value : solid.vertices) assets_ += number(value) + " ";
   assets_ += "\" face=\"";
-  for (const int value : read->faces) assets_ += std::to_string(value) + " ";
+  for (const int value : solid.faces) assets_ += std::to_string(value) + " ";
   assets_ += "\"/>\n";
   return name;
+}
+
+const std::vector<ShapeWriter::Piece>& ShapeWriter::pieces_of(const Mesh& mesh,
+                                                              const std::string& what, Mjcf& mjcf) {
+  const auto [known, is_new] = pieces_.try_emplace(key_of(mesh));
+  std::vector<Piece>& pieces = known->second;
+  if (!is_new) return pieces;
+  const std::vector<MeshPiece> parts = mesh_pieces(*meshes_(mesh), mesh.scale);
+  if (parts.empty())
+    mjcf.warnings.push_back(what + ": its mesh `" + mesh.uri + "` has more than " +
+                            std::to_string(kMostPieces) +
+                            " faces that are not part of something convex; what touches it meets "
+                            "its convex hull. Boxes, or a coarser mesh for <collision>, are exact");
+  if (parts.size() == 1 && parts.front().points.empty()) return pieces;
+  for (const MeshPiece& part : parts) {
+    if (part.box) {
+      pieces.push_back({"", *part.box, part.pose, part.normal});
+      continue;
+    }
+    pieces.push_back({"mesh" + std::to_string(++assets_written_), {}, {}, part.normal});
+    mjcf.names.meshes[pieces.back().asset] = mesh.path;
+    assets_ += "<mesh name=\"" + pieces.back().asset + "\" vertex=\"";
+    for (const Vector3& point : part.points) assets_ += text(point) + " ";
+    assets_ += "\"/>\n";
+  }
+  return pieces;
 }
 
 }  // namespace ros2wasm_sim

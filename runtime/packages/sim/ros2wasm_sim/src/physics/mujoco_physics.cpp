@@ -12,6 +12,7 @@
 #include "physics/mujoco_forces.hpp"
 #include "physics/mujoco_friction.hpp"
 #include "physics/mujoco_model.hpp"
+#include "physics/mujoco_rays.hpp"
 #include "physics/mujoco_state.hpp"
 #include "physics/mujoco_values.hpp"
 #include "physics/mujoco_welds.hpp"
@@ -27,6 +28,9 @@ void throw_engine_error(const char* message) {
 void ignore_warning(const char*) {}
 
 constexpr int kMostContacts = 1000;
+/// How fast what overlaps is pushed apart (m/s). A robot that is put half into the ground rises out
+/// of it, where the engine's spring alone would throw it into the sky.
+constexpr double kSeparationSpeed = 0.3;
 constexpr int kMostStack = 40'000'000;  // 320 MB
 
 class MujocoPhysics final : public Physics {
@@ -245,19 +249,9 @@ class MujocoPhysics final : public Physics {
 
   void cast(const std::vector<Ray>& rays, RaySees sees, LinkHandle exclude,
             std::vector<double>& distances) override {
-    std::array<mjtByte, mjNGROUP> groups{};
-    groups[sees == RaySees::kCollisions ? kCollisionGroup : kVisualGroup] = 1;
     distances.resize(rays.size());
-    const int without = body_of(exclude);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      mjtNum from[3], along[3];
-      put(rays[i].origin, from);
-      put(rays[i].direction, along);
-      int geom = -1;
-      const mjtNum far =
-          mj_ray(model_.get(), data_.get(), from, along, groups.data(), 1, without, &geom);
-      distances[i] = far < 0 ? kInfinity : far;
-    }
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      distances[i] = distance_along(*model_, *data_, rays[i], sees, body_of(exclude));
   }
 
   bool is_near(const Vector3& point, double distance, RaySees sees,
@@ -414,6 +408,7 @@ class MujocoPhysics final : public Physics {
   void step_once() {
     if (std::exchange(is_moved_, false)) begin_step(model_.get(), data_.get(), directions_);
     drive_motors();
+    separate_slowly();
     for (const int body : weightless_) {
       mjtNum* applied = data_->xfrc_applied + 6 * body;
       for (int i = 0; i < 3; ++i) applied[i] -= model_->body_mass[body] * model_->opt.gravity[i];
@@ -437,6 +432,18 @@ class MujocoPhysics final : public Physics {
       if (joint.dof < 0 || !joint.motor.on || motor_rows_[joint.dof] < 0) continue;
       const int row = motor_rows_[joint.dof];
       data_->efc_aref[row] += data_->efc_KBIP[4 * row + 1] * joint.motor.velocity;
+    }
+  }
+
+  /// The spring of a contact is critically damped: at a depth d it comes to the speed d / 2T, with
+  /// its time constant T. Deeper contacts push as if they were at the depth of the greatest speed.
+  void separate_slowly() {
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      const double deep = -contact.dist - 2 * contact.solref[0] * kSeparationSpeed;
+      const int row = contact.efc_address;
+      if (row >= 0 && contact.solref[0] > 0 && deep > 0)
+        data_->efc_aref[row] -= data_->efc_KBIP[4 * row] * data_->efc_KBIP[4 * row + 2] * deep;
     }
   }
 

@@ -19,6 +19,8 @@ ClassicServer::ClassicServer(Host& host, Simulation& simulation, const ClassicOp
     : host_(host),
       simulation_(simulation),
       runner_(host.node(), simulation, [this] { after_step(); }),
+      world_services_(host, simulation, runner_, [this] { restart_clock(); }),
+      scene_(host, simulation, runner_),
       last_site_time_(site_clock_.now()) {
   report_warnings(host_.node()->get_logger(), simulation_.physics());
   simulation_.begin_at(static_cast<std::int64_t>(options.initial_time * 1e9));
@@ -47,10 +49,7 @@ void ClassicServer::offer_clock() {
   offer("/reset_simulation", [this] {
     simulation_.reset_poses();
     simulation_.reset_time();
-    clock_rate_.reset();
-    metrics_rate_.reset();
-    last_metrics_ns_ = 0;
-    publish_clock();
+    restart_clock();
   });
 }
 
@@ -112,6 +111,13 @@ void ClassicServer::publish_metrics() {
         message.sensors.push_back(one);
       }
   metrics_->publish(message);
+}
+
+void ClassicServer::restart_clock() {
+  clock_rate_.reset();
+  metrics_rate_.reset();
+  last_metrics_ns_ = 0;
+  publish_clock();
 }
 
 void ClassicServer::publish_clock() {

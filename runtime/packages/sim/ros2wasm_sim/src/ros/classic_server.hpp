@@ -12,6 +12,8 @@
 
 #include "ros/host.hpp"
 #include "ros/runner.hpp"
+#include "ros/scene_publisher.hpp"
+#include "ros/world_services.hpp"
 
 namespace ros2wasm_sim {
 
@@ -33,12 +35,16 @@ class ClassicServer {
   void after_step();
   void publish_clock();
   void publish_metrics();
+  /// Time has gone back to 0.
+  void restart_clock();
   void spawn(const gazebo_msgs::srv::SpawnEntity::Request& request,
              gazebo_msgs::srv::SpawnEntity::Response& response);
 
   Host& host_;
   Simulation& simulation_;
   Runner runner_;
+  WorldServices world_services_;
+  ScenePublisher scene_;
   Rate clock_rate_{10};
   rclcpp::Publisher<rosgraph_msgs::msg::Clock>::SharedPtr clock_;
   Rate metrics_rate_{5};

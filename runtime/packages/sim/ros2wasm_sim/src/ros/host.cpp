@@ -2,6 +2,7 @@
 #include "ros/host.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace ros2wasm_sim {
@@ -15,11 +16,17 @@ rclcpp::Parameter parameter_of(const std::string& name, const std::string& type,
   return {name, text};
 }
 
-/// Old files write `~/out:=scan` as an argument, without a flag.
-void add_argument(const std::string& text, std::vector<std::string>& arguments) {
-  if (text == "--ros-args" || text.empty()) return;
-  if (text.find(":=") != std::string::npos) arguments.emplace_back("-r");
-  arguments.push_back(text);
+/// Old files write `~/out:=scan` as an argument, without a flag, or several words in one:
+/// `--ros-args --remap ~/out:=scan`.
+void add_arguments(const std::string& text, std::vector<std::string>& arguments) {
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (word == "--ros-args") continue;
+    const std::string& before = arguments.back();
+    const bool has_flag = before != "--ros-args" && before.front() == '-';
+    if (word.find(":=") != std::string::npos && !has_flag) arguments.emplace_back("-r");
+    arguments.push_back(word);
+  }
 }
 
 }  // namespace
@@ -30,8 +37,8 @@ Host::Host(rclcpp::Node::SharedPtr node, rclcpp::Executor& executor, std::uint64
 rclcpp::Node::SharedPtr Host::add_plugin_node(const Plugin& plugin) {
   const Parameters ros = Parameters(plugin.xml).inside("ros");
   std::vector<std::string> arguments{"--ros-args"};
-  for (const std::string& one : ros.all("remapping")) add_argument(one, arguments);
-  for (const std::string& one : ros.all("argument")) add_argument(one, arguments);
+  for (const std::string& one : ros.all("remapping")) add_arguments(one, arguments);
+  for (const std::string& one : ros.all("argument")) add_arguments(one, arguments);
   rclcpp::NodeOptions options;
   options.arguments(arguments);
   std::vector<rclcpp::Parameter> overrides;

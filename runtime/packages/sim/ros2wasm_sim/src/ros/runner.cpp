@@ -38,6 +38,7 @@ Runner::Runner(rclcpp::Node::SharedPtr node, Simulation& simulation,
       simulation_(simulation),
       after_step_(std::move(after_step)),
       last_(clock_.now()) {
+  hashes_ = node_->create_publisher<std_msgs::msg::UInt64>("/_gz/state_hash", rclcpp::QoS(1));
   timer_ = node_->create_wall_timer(4ms, [this] { tick(); });
 }
 
@@ -53,6 +54,11 @@ void Runner::step(std::uint32_t count) {
 }
 
 void Runner::tick() {
+  run();
+  if (on_tick_) on_tick_();
+}
+
+void Runner::run() {
   const rclcpp::Time now = clock_.now();
   const double factor = simulation_.world().physics.real_time_factor;
   const std::int64_t passed = (now - last_).nanoseconds();
@@ -80,6 +86,7 @@ void Runner::tick() {
 
 void Runner::step_once() {
   if (most_steps_ > 0 && steps_ >= most_steps_) return;
+  if (before_step_) before_step_();
   try {
     simulation_.step();
   } catch (const PhysicsError& error) {
@@ -90,6 +97,12 @@ void Runner::step_once() {
   }
   ++steps_;
   after_step_();
+  const std::int64_t second = simulation_.time_ns() / 1'000'000'000;
+  if (second == hashed_s_) return;
+  hashed_s_ = second;
+  std_msgs::msg::UInt64 hash;
+  hash.data = simulation_.physics().state_hash();
+  hashes_->publish(hash);
 }
 
 void report_warnings(const rclcpp::Logger& logger, Physics& physics) {

@@ -4,6 +4,9 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+
+#include <std_msgs/msg/u_int64.hpp>
 
 #include "checks/real_time.hpp"
 #include "core/simulation.hpp"
@@ -17,6 +20,10 @@ class Runner {
   /// `after_step` is called after each step.
   Runner(rclcpp::Node::SharedPtr node, Simulation& simulation, std::function<void()> after_step);
 
+  /// Called some hundred times a second, also while the world is paused.
+  void on_tick(std::function<void()> look) { on_tick_ = std::move(look); }
+  void before_step(std::function<void()> act) { before_step_ = std::move(act); }
+
   bool paused() const { return paused_; }
   void pause(bool paused);
   /// Steps that are made although the world is paused.
@@ -26,11 +33,12 @@ class Runner {
 
  private:
   void tick();
+  void run();
   void step_once();
 
   rclcpp::Node::SharedPtr node_;
   Simulation& simulation_;
-  std::function<void()> after_step_;
+  std::function<void()> after_step_, before_step_, on_tick_;
   bool paused_ = false;
   std::uint64_t most_steps_ = 0, steps_ = 0;
   std::int64_t owed_ns_ = 0;  ///< of simulated time, that is to be made up
@@ -39,6 +47,10 @@ class Runner {
       last_;  ///< when time was last looked at; it is read from `clock_`, so it comes after it
   RealTimeWatch real_time_;
   rclcpp::TimerBase::SharedPtr timer_;
+  /// /_gz/state_hash, each second of simulation: a digest of all positions and velocities, so that
+  /// the trace of a run has the state of the physics too.
+  rclcpp::Publisher<std_msgs::msg::UInt64>::SharedPtr hashes_;
+  std::int64_t hashed_s_ = -1;  ///< the second of the last one
 };
 
 /// Says what the physics leaves away.

@@ -1,17 +1,13 @@
 // Gazebo Sim: its clock, and the services of its world, on the hidden names that a bridge carries.
 #pragma once
 
-#include <ros_gz_interfaces/srv/control_world.hpp>
-#include <ros_gz_interfaces/srv/delete_entity.hpp>
-#include <ros_gz_interfaces/srv/set_entity_pose.hpp>
-#include <ros_gz_interfaces/srv/spawn_entity.hpp>
 #include <rosgraph_msgs/msg/clock.hpp>
 #include <std_msgs/msg/string.hpp>
 
-#include <vector>
-
 #include "ros/host.hpp"
 #include "ros/runner.hpp"
+#include "ros/scene_publisher.hpp"
+#include "ros/world_services.hpp"
 
 namespace ros2wasm_sim {
 
@@ -27,16 +23,14 @@ class SimServer {
 
  private:
   void publish_clock();
-  bool create(const ros_gz_interfaces::msg::EntityFactory& factory);
-  bool remove(const ros_gz_interfaces::msg::Entity& entity);
-  void control(const ros_gz_interfaces::msg::WorldControl& control);
 
   Host& host_;
   Simulation& simulation_;
   Runner runner_;
+  WorldServices services_;
+  ScenePublisher scene_;
   rclcpp::Publisher<rosgraph_msgs::msg::Clock>::SharedPtr clock_, world_clock_;
   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr name_;
-  std::vector<rclcpp::ServiceBase::SharedPtr> services_;
 };
 
 }  // namespace ros2wasm_sim

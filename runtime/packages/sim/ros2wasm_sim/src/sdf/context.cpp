@@ -202,6 +202,10 @@ std::optional<std::string> Context::read(const std::string& path) const {
   return resources_.read ? resources_.read(path) : std::nullopt;
 }
 
+std::vector<std::string> Context::list(const std::string& folder) const {
+  return resources_.list ? resources_.list(folder) : std::vector<std::string>();
+}
+
 std::string Context::hint(const std::string& wrong,
                           const std::function<std::vector<std::string>()>& names) {
   if (++hints_ > kMaxHints) {

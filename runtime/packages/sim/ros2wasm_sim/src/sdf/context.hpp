@@ -61,6 +61,7 @@ class Context {
   std::string find(const std::string& uri, const Node& where, const std::string& what);
   std::optional<std::string> find_quietly(const std::string& uri) const;
   std::optional<std::string> read(const std::string& path) const;
+  std::vector<std::string> list(const std::string& folder) const;
 
   /// The end of a message: the nearest of some names, or nothing.
   std::string hint(const std::string& wrong,

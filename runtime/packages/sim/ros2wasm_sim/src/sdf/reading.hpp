@@ -29,6 +29,8 @@ struct Resources {
                                            std::vector<std::string>& searched)>
       find;
   std::function<std::optional<std::string>(const std::string& path)> read;
+  /// The paths of the files in a folder, sorted; none: it is no folder. May be empty.
+  std::function<std::vector<std::string>(const std::string& path)> list = {};
 };
 
 /// A value is missing exactly when a note is an error.

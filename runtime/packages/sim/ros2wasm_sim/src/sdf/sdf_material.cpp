@@ -5,6 +5,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "sdf/material_script.hpp"
+
 namespace ros2wasm_sim {
 namespace {
 
@@ -119,14 +121,70 @@ Material named_material(Context& context, const Node& where, const std::string& 
   return Material();
 }
 
+namespace {
+
+/// The scripts that a <script> names: files, and all files of folders.
+std::vector<std::string> scripts_of(Context& context, const Node& script) {
+  std::vector<std::string> files;
+  for (const Node& uri : children(script, "uri")) {
+    const auto path = context.find_quietly(text_of(uri));
+    if (!path) continue;
+    const std::vector<std::string> inside = context.list(*path);
+    if (inside.empty()) files.push_back(*path);
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  const std::string_view ending = ".material";
+  files.erase(std::remove_if(files.begin(), files.end(),
+                             [&](const std::string& file) {
+                               return file.size() < ending.size() ||
+                                      file.substr(file.size() - ending.size()) != ending;
+                             }),
+              files.end());
+  return files;
+}
+
+/// Gazebo's renderer looks for pictures in all folders that it knows: here in those of the
+/// <script>, beside it, and in `materials/textures` of the model.
+std::string script_texture(Context& context, const Node& script, const std::string& script_file,
+                           const std::string& name) {
+  const std::string beside = folder_of(script_file);
+  for (const std::string& folder : {beside, folder_of(beside) + "/textures"})
+    if (const auto path = context.find_quietly(folder + "/" + name)) return *path;
+  for (const Node& uri : children(script, "uri"))
+    if (const auto path = context.find_quietly(text_of(uri) + "/" + name)) return *path;
+  context.warning_once(script, "the texture `" + name + "` of a material script is not found");
+  return {};
+}
+
+/// A <script>: one of Gazebo's own materials, or one of a `.material` file.
+Material script_material(Context& context, const Node& script) {
+  const Node name = child(script, "name");
+  for (const std::string& file : scripts_of(context, script)) {
+    const auto text = context.read(file);
+    const auto found = text ? find_material(*text, text_of(name)) : std::nullopt;
+    if (!found) continue;
+    Material result;
+    result.is_given = true;
+    result.ambient = found->ambient;
+    result.diffuse = found->diffuse;
+    result.emissive = found->emissive;
+    if (!found->texture.empty())
+      result.texture = script_texture(context, script, file, found->texture);
+    return result;
+  }
+  return named_material(context, name, text_of(name));
+}
+
+}  // namespace
+
 Material read_material(Context& context, const Node& node) {
   Material result;
-  const Node script = descend(node, {"script", "name"});
+  const Node script = child(node, "script");
   const bool has_diffuse = !text_of(node, "diffuse").empty();
   const bool has_ambient = !text_of(node, "ambient").empty();
   const bool has_pbr = static_cast<bool>(child(node, "pbr"));
-  if (!text_of(script).empty() && !has_diffuse && !has_ambient && !has_pbr) {
-    result = named_material(context, script, text_of(script));
+  if (!text_of(script, "name").empty() && !has_diffuse && !has_ambient && !has_pbr) {
+    result = script_material(context, script);
   }
   // With one of both, the other one is the same.
   result.ambient = color(context, node, has_ambient ? "ambient" : "diffuse", result.ambient);

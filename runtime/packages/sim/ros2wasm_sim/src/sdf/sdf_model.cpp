@@ -269,6 +269,10 @@ std::optional<ScopedModel> ModelReader::read(const ModelChanges& changes) {
   model_.self_collide = boolean(context_, node_, "self_collide", false);
   read_nested();
   if (links_.empty() && nested_.empty()) {
+    // What it includes was not found: that has been said, and the rest of the world is of use.
+    if (child(node_, "include")) {
+      return std::nullopt;
+    }
     context_.error(node_, "the model `" + model_.name +
                               "` has no link. A model must have at least "
                               "one link.");

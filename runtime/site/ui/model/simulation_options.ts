@@ -1,0 +1,49 @@
+// The state of a panel Simulation: its view, what is drawn, what it goes with. It comes from links too.
+
+import { readView, writeView } from './camera_view.ts';
+import type { CameraView } from './camera_view.ts';
+import { flagMember, member, textMember } from './json.ts';
+import type { Json } from './json.ts';
+import { readImages } from './scene_options.ts';
+import type { ImageOverlay } from './scene_options.ts';
+
+export const kSimFlags = ['shadows', 'grid', 'collisions', 'contacts', 'rays', 'frames', 'names'] as const;
+export type SimFlag = (typeof kSimFlags)[number];
+
+export interface SimulationOptions {
+  readonly view: CameraView;
+  readonly flags: Readonly<Record<SimFlag, boolean>>;
+  /** Is the list of models open? */
+  readonly list: boolean;
+  /** The link that the view goes with, `model::link`; empty: none. */
+  readonly follow: string;
+  readonly images: readonly ImageOverlay[];
+}
+
+const kUsually: Readonly<Record<SimFlag, boolean>> = {
+  shadows: true, grid: true, collisions: false, contacts: false, rays: false, frames: false, names: false,
+};
+
+export function readSimulation(state: Json): SimulationOptions {
+  const flag = (name: SimFlag): boolean => flagMember(state, name, kUsually[name]);
+  return {
+    view: readView(member(state, 'view')),
+    flags: {
+      shadows: flag('shadows'), grid: flag('grid'), collisions: flag('collisions'),
+      contacts: flag('contacts'), rays: flag('rays'), frames: flag('frames'), names: flag('names'),
+    },
+    list: flagMember(state, 'list', true),
+    follow: textMember(state, 'follow'),
+    images: readImages(member(state, 'images')),
+  };
+}
+
+export function writeSimulation({ view, flags, list, follow, images }: SimulationOptions): Json {
+  return {
+    view: writeView(view),
+    list,
+    ...Object.fromEntries(kSimFlags.filter((name) => flags[name] !== kUsually[name]).map((name) => [name, flags[name]])),
+    ...(follow === '' ? {} : { follow }),
+    ...(images.length === 0 ? {} : { images: images.map((one) => ({ ...one })) }),
+  };
+}

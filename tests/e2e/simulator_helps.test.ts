@@ -1,6 +1,6 @@
 // Worlds, robots and bridges with many mistakes at once: the simulator, the bridge and the spawners say each one once, with a way out.
 
-// Compatibility, more: mistakes of simulated robots (wheels, inertia, names of joints and topics, bridges) are named with a way out
+// Compatibility, works: common mistakes of simulated robots and bridges (wheels, inertia, names, directions, types) are reported, once
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -21,7 +21,9 @@ GzTopics topics_of_gazebo(const rclcpp::Node& node) {
   GzTopics result;
   for (const auto& [name, types] : node.get_topic_names_and_types()) {
     const std::string hidden = ros2wasm_sim::hidden_name("");
-    if (name.rfind(hidden, 0) != 0 || name == ros2wasm_sim::kWorldName) continue;
+    if (name.rfind(hidden, 0) != 0 || name == ros2wasm_sim::kWorldName ||
+        ros2wasm_sim::is_of_view(name))
+      continue;
     GzTopic topic;
     for (const auto& end : node.get_publishers_info_by_topic(name))
       if (is_of_simulator(end)) topic = {end.topic_type(), true, topic.is_read};
@@ -79,7 +81,9 @@ void BridgeWatch::look_at_types(rclcpp::Node& node, const Topic& topic, bool pub
 void BridgeWatch::look_at_gazebo(rclcpp::Node& node, const rclcpp::Time& now) {
   GzTopics topics = topics_of_gazebo(node);
   for (Topic& one : topics_)
-    one.is_done = one.is_done || is_connected(one.entry, one.pair->hidden_type, topics);
+    one.is_done = one.is_done ||
+                  ros2wasm_sim::is_of_view(ros2wasm_sim::hidden_name(one.entry.gz_topic)) ||
+                  is_connected(one.entry, one.pair->hidden_type, topics);
   if (!are_same(topics, gazebo_)) same_since_ = now;
   gazebo_ = std::move(topics);
   if (gazebo_.empty() || now - same_since_ < (is_empty(gazebo_) ? kWaitForFirst : kWaitForMore))

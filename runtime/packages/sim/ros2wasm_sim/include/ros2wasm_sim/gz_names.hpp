@@ -23,6 +23,14 @@ inline std::string hidden_name(const std::string& gz_name) {
 /// loaded.
 inline const char* const kWorldName = "/_gz/gazebo/worlds";
 
+/// Hidden topics that the page's view of the world has, and Gazebo does not.
+inline bool is_of_view(const std::string& hidden) {
+  for (const char* name :
+       {"collisions", "contacts", "hand", "paused", "poses", "scene", "state_hash", "stats"})
+    if (hidden == hidden_name(name)) return true;
+  return false;
+}
+
 /// The node of the server, which has all of Gazebo's ends of topics.
 inline const char* const kServerNode = "_gz_sim";
 

@@ -1,4 +1,4 @@
-// What a bridge says about topics that nothing crosses.
+// The remarks of a bridge on topics that nothing crosses.
 #include "bridge_remarks.hpp"
 
 #include <gmock/gmock.h>

@@ -186,7 +186,7 @@ TEST(SdfWorld, TextsWithoutAWorldSayWhatTheyAre) {
             "warning f:1: <sdf> has no attribute `version`, so it is read as SDF 1.6\n");
 }
 
-/// Who could bring a model.
+/// The advice about a model that is not found.
 std::string way_to(const std::string& name) {
   return ". There is no package `" + name + "`; the package with the folder `" + name +
          "` names it with <gazebo_ros gazebo_model_path=\"${prefix}/FOLDER\"/> in the <export> of "
@@ -199,9 +199,9 @@ TEST(SdfWorld, MissingModelsAndMeshesAreWarnings) {
             "warning world:1: the model model://nothing is not found (searched: /models)" +
                 way_to("nothing"));
   // So is a model of which nothing remains without it.
-  EXPECT_EQ(notes_of_world("<model name='shelf'><include><uri>model://no</uri></include></model>"),
-            "warning world:1: the model model://no is not found (searched: /models)" +
-                way_to("no"));
+  EXPECT_EQ(
+      notes_of_world("<model name='shelf'><include><uri>model://no</uri></include></model>"),
+      "warning world:1: the model model://no is not found (searched: /models)" + way_to("no"));
   const std::string mesh =
       "<visual name='v%'><geometry><mesh><uri>model://x/y.dae</uri></mesh></geometry></visual>";
   const Reading<World> reading =

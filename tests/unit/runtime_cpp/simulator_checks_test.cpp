@@ -1,4 +1,4 @@
-// What the simulator says about models that are probably wrong, and that it says nothing about
+// The remarks of the simulator on models that are probably wrong, and that it says nothing about
 // others.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is probably wrong with a topic of a bridge, in sentences for its author. Pure.
+// Reports what is probably wrong with a topic of a bridge, in sentences for its author. Pure.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// What a spawner says when nobody sends it the description of the robot.
+// The warning of a spawner when nobody sends it the description of the robot.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What is probably wrong with a model, in sentences for its author. Pure. Correct models get none.
+// Reports what is probably wrong with a model, in sentences for its author. Pure. Correct models
+// get none.
 #pragma once
 
 #include <optional>
@@ -28,7 +29,7 @@ std::string nearest_joint(const Model& model, const std::string& wrong);
 /// The link that a joint moves; null when there is none.
 const Link* wheel_of(const Model& model, const std::string& joint);
 
-/// What a drive with two sides says about its wheels.
+/// The wheels of a drive with two sides, as its plugin describes them.
 struct DrivenWheels {
   std::vector<std::string> left, right;  ///< names of joints
   double separation = 0;                 ///< metres

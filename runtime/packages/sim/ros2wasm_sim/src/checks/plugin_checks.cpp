@@ -36,7 +36,7 @@ constexpr std::array kOfRos1{
     Successor{"roboticsgroup_gazebo_mimic_joint_plugin", "<mimic> of the joint in the URDF"},
 };
 
-/// What one Gazebo has for a plugin of the other one: the library there, and the class or, for a
+/// One plugin under its names in both Gazebos: the library there, and the class or, for a
 /// sensor, what is written in its place.
 struct Twin {
   std::string_view classic, sim;

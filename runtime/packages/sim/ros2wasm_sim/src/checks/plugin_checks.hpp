@@ -9,8 +9,8 @@
 
 namespace ros2wasm_sim {
 
-/// What takes the place of a plugin that the simulator does not have: of ROS 1, or of the other
-/// Gazebo. `name` is that of a library without `lib` and `.so`, or of a class without its
+/// The name that takes the place of a plugin that the simulator does not have: of ROS 1, or of the
+/// other Gazebo. `name` is that of a library without `lib` and `.so`, or of a class without its
 /// namespaces. Empty: nothing is known.
 std::string successor_of(const std::string& name, bool is_classic);
 

@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& words) {
   return result;
 }
 
-/// Who could bring the file of `model://NAME/rest` or `package://NAME/rest`.
+/// How to get the file of `model://NAME/rest` or `package://NAME/rest`.
 std::string way_to_file(const std::string& uri, const std::vector<std::string>& searched) {
   const std::size_t scheme = uri.find("://");
   const std::string kind = uri.substr(0, scheme);

@@ -18,7 +18,7 @@ constexpr double kSame = 1e-6;
 /// its size.
 constexpr double kFlat = 1e-4;
 
-/// Of a flat mesh that is seen, as a part of its size.
+/// The thickness of a flat mesh, as a part of its size.
 constexpr double kThickness = 1e-3;
 /// Faces at one side that are compared with one of them: two are usual.
 constexpr std::size_t kMostUsers = 8;

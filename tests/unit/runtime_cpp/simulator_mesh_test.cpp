@@ -128,6 +128,21 @@ TEST(MeshPieces, FacesOfAConcavePartAreSlabs) {
   }
 }
 
+TEST(MeshPieces, AShellWithAnOpeningIsHollow) {
+  TriangleMesh box;
+  add_box(box, {0, 0, 0}, {1, 2, 3});
+  box.faces.resize(box.faces.size() - 6);  // without one of its sides
+  const auto pieces = mesh_pieces(box, {1, 1, 1});
+  EXPECT_EQ(pieces.size(), 5U);
+  for (const MeshPiece& piece : pieces) EXPECT_TRUE(piece.box.has_value());
+}
+
+TEST(MeshPieces, AThinSheetWithTwoSidesIsTwoSlabs) {
+  TriangleMesh sheet = square(1);
+  sheet.faces.insert(sheet.faces.end(), {0, 2, 1, 0, 3, 2});
+  EXPECT_EQ(mesh_pieces(sheet, {1, 1, 1}).size(), 2U);
+}
+
 TEST(MeshPieces, ATerrainOfTooManyFacesIsNotTakenApart) {
   TriangleMesh hills;
   constexpr int kSide = 40;
@@ -162,6 +177,20 @@ TEST(SimulatorMesh, ARoomOfOneMeshIsHollow) {
   std::vector<double> distances;
   physics->cast({{{0, 0, 0.5}, {0, 1, 0}}}, RaySees::kCollisions, {}, distances);
   EXPECT_NEAR(distances[0], 1.8, 1e-6);
+}
+
+TEST(SimulatorMesh, ARoomThatIsHeldByAFixedJointIsHollowToo) {
+  Model room = solid("room", mesh_at("ring"), {});
+  Joint joint;
+  joint.name = "held";
+  joint.parent = "world";
+  joint.child = "link";
+  room.joints.push_back(joint);
+  const auto physics = physics_of(
+      {fixed(solid("ground", Plane{}, {})), room, solid("ball", Sphere{0.1}, {0, 0, 0.1})}, ring());
+  run(*physics, 500);
+  EXPECT_LT(length(physics->pose(physics->link("ball", "link")).position - Vector3{0, 0, 0.1}),
+            1e-3);
 }
 
 TEST(SimulatorMesh, AFlatMeshCarries) {

@@ -1,4 +1,4 @@
-// What the environment hooks of packages add to the environment of a launch file.
+// The environment hooks of packages, and what they add to the environment of a launch file.
 #include "bundler/workspace/environment_hooks.hpp"
 
 #include <gtest/gtest.h>

@@ -81,7 +81,7 @@ Pose pose_of(const XmlElement* element) {
   return pose;
 }
 
-/// What poses of a model are relative to: its links, joints and frames by name.
+/// Poses of a model are relative to these: its links, joints and frames by name.
 class Frames {
  public:
   Frames(const XmlDocument& xml, const XmlElement& model) : xml_(xml) {

@@ -18,8 +18,10 @@ constexpr double kSame = 1e-6;
 /// its size.
 constexpr double kFlat = 1e-4;
 
-/// Of a flat mesh that is seen, as a part of its size.
+/// The thickness of a flat mesh, as a part of its size.
 constexpr double kThickness = 1e-3;
+/// Faces at one side that are compared with one of them: two are usual.
+constexpr std::size_t kMostUsers = 8;
 /// Pairs of a face and a corner, for one part.
 constexpr std::size_t kMostCompared = 20'000'000;
 
@@ -120,11 +122,22 @@ std::vector<int> corners_of(const MeshSurface& surface, const FaceList& faces) {
   return result;
 }
 
-/// No corner before any face, and some behind: a flat part is no body. Of very large parts not all
-/// faces are looked at.
+/// Each side of its faces is one of two: a shell with an opening, such as walls around a room, is
+/// no body.
+bool is_closed(const MeshSurface& surface, const FaceList& faces) {
+  std::map<std::pair<int, int>, int> uses;
+  for (const int face : faces)
+    for (int k = 0; k < 3; ++k) {
+      const int a = surface.faces[face][k], b = surface.faces[face][(k + 1) % 3];
+      ++uses[{std::min(a, b), std::max(a, b)}];
+    }
+  return std::all_of(uses.begin(), uses.end(), [](const auto& one) { return one.second == 2; });
+}
+
+/// A body with no corner before any face. Of very large parts not all faces are looked at.
 bool is_convex(const MeshSurface& surface, const FaceList& faces, const std::vector<int>& corners) {
   const double slack = kFlat * surface.size;
-  double deepest = 0;
+  if (!is_closed(surface, faces)) return false;
   const std::size_t stride = 1 + faces.size() * corners.size() / kMostCompared;
   for (std::size_t i = 0; i < faces.size(); i += stride) {
     const int face = faces[i];
@@ -132,10 +145,9 @@ bool is_convex(const MeshSurface& surface, const FaceList& faces, const std::vec
     for (const int corner : corners) {
       const double height = dot(surface.points[corner] - origin, surface.normals[face]);
       if (height > slack) return false;
-      deepest = std::min(deepest, height);
     }
   }
-  return deepest < -slack;
+  return true;
 }
 
 /// Faces of a part that lie in one plane and share sides.
@@ -149,10 +161,13 @@ std::vector<FaceList> flat_areas(const MeshSurface& surface, const FaceList& par
       sides[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(i));
     }
   }
+  const auto is_flat = [&](int a, int b) {
+    return dot(surface.normals[part[a]], surface.normals[part[b]]) > 1 - kFlat * kFlat;
+  };
   for (const auto& [side, users] : sides)
-    for (const int one : users)
-      if (dot(surface.normals[part[one]], surface.normals[part[users.front()]]) > 1 - kFlat * kFlat)
-        groups.join(one, users.front());
+    for (std::size_t a = 0; a < users.size(); ++a)
+      for (std::size_t b = a + 1; b < std::min(users.size(), a + kMostUsers); ++b)
+        if (is_flat(users[a], users[b])) groups.join(users[a], users[b]);
   std::map<int, FaceList> areas;
   for (std::size_t i = 0; i < part.size(); ++i)
     areas[groups.root(static_cast<int>(i))].push_back(part[i]);

@@ -127,7 +127,11 @@ class ModelWriter {
     bodies_ += "<inertial pos=\"" + text(centre) + "\" mass=\"" +
                number(std::max(link.inertial.mass, kLeastMass)) + "\" fullinertia=\"" +
                inertia(link.inertial, link.name, mjcf_.warnings) + "\"/>\n";
-    bodies_ += shapes_.shapes_of(link, {joint, is_free || joint != nullptr, pose}, mjcf_);
+    // Links of a static model in a model that is not hang on the world by fixed joints.
+    const bool is_held =
+        joint != nullptr && joint->type == JointType::kFixed && joint->parent == "world";
+    const bool moves = is_free || (joint != nullptr && !is_held);
+    bodies_ += shapes_.shapes_of(link, {joint, moves, pose}, mjcf_);
   }
 
   void write_joint(const Joint& joint) {

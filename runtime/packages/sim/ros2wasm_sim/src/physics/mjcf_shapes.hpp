@@ -45,7 +45,7 @@ class ShapeWriter {
     Pose pose;          ///< in the frame of the mesh
     Vector3 normal;     ///< as MeshPiece has it
   };
-  /// Of a mesh that stands still; none: its hull is taken.
+  /// Pieces of a mesh that stands still; none: its hull is taken.
   const std::vector<Piece>& pieces_of(const Mesh& mesh, const std::string& what, Mjcf& mjcf);
   int priority(double mu) const;
 

@@ -15,7 +15,7 @@ constexpr int kHiddenGroup = 5;
 /// A ray that begins on the surface comes from inside (m).
 constexpr double kOnSurface = 1e-6;
 
-/// Of the shapes that files describe by formulas; a mesh has no inside here.
+/// For the shapes that files describe by formulas; a mesh has no inside here.
 bool is_inside(const mjModel& model, const mjData& data, int geom, const Ray& ray) {
   const mjtNum offset[3] = {ray.origin.x - data.geom_xpos[3 * geom],
                             ray.origin.y - data.geom_xpos[3 * geom + 1],

@@ -225,11 +225,17 @@ class Maker {
     }
   }
 
-  /// Upstream: a world with any plugin has only those that it lists.
+  /// Upstream: a world with any plugin has only those that it lists. A system serves all sensors of
+  /// the world, also when a model brings it along.
   bool world_has(const SensorRow& row) const {
-    const auto& plugins = simulation_.world().plugins;
-    return std::any_of(plugins.begin(), plugins.end(),
-                       [&](const Plugin& plugin) { return is_system_of(plugin, row); });
+    const auto lists = [&](const std::vector<Plugin>& plugins) {
+      return std::any_of(plugins.begin(), plugins.end(),
+                         [&](const Plugin& plugin) { return is_system_of(plugin, row); });
+    };
+    const World& world = simulation_.world();
+    return lists(world.plugins) ||
+           std::any_of(world.models.begin(), world.models.end(),
+                       [&](const Model& model) { return lists(model.plugins); });
   }
 
   bool brings_sensors_to_life(const Plugin& plugin) const {

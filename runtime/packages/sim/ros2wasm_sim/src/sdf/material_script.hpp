@@ -8,7 +8,7 @@
 
 namespace ros2wasm_sim {
 
-/// What a camera can show of one.
+/// The part of one that a camera can show.
 struct ScriptMaterial {
   Color ambient{1, 1, 1, 1};
   Color diffuse{1, 1, 1, 1};

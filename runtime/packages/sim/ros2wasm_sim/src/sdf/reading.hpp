@@ -29,7 +29,8 @@ struct Resources {
                                            std::vector<std::string>& searched)>
       find;
   std::function<std::optional<std::string>(const std::string& path)> read;
-  /// The paths of the files in a folder, sorted; none: it is no folder. May be empty.
+  /// The paths of the files in a folder, sorted; none for a path that is not a folder. May be
+  /// empty.
   std::function<std::vector<std::string>(const std::string& path)> list = {};
 };
 

@@ -269,7 +269,7 @@ std::optional<ScopedModel> ModelReader::read(const ModelChanges& changes) {
   model_.self_collide = boolean(context_, node_, "self_collide", false);
   read_nested();
   if (links_.empty() && nested_.empty()) {
-    // What it includes was not found: that has been said, and the rest of the world is of use.
+    // Its include was not found: that has been said, and the rest of the world is of use.
     if (child(node_, "include")) {
       return std::nullopt;
     }

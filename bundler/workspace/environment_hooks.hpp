@@ -1,5 +1,5 @@
-// What `source install/setup.bash` would add to the environment for the packages of a site: the
-// environment hooks that they install, such as the folder of their models for Gazebo.
+// Environment hooks that packages install, such as one with the folder of their models for Gazebo:
+// natively `source install/setup.bash` runs them.
 #pragma once
 
 #include <filesystem>

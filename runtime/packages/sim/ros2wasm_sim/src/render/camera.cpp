@@ -50,34 +50,18 @@ struct Bounds {
 
 /// A triangle that may be seen.
 struct Seen {
-  const Item* item;
-  const Corner* corners;
-  std::uint32_t placed;  ///< of the item
-  bool from_behind;
+  const Item* item = nullptr;
+  const Corner* corners = nullptr;
+  std::uint32_t placed = 0;  ///< of the item
+  bool from_behind = false;
   std::array<Linear, 3> edges;  ///< the share of each corner, times 1 / depth and a factor
-  bool is_even = false;         ///< one colour all over
+  bool is_lit_evenly = false;   ///< the same light all over: glow and light hold
+  bool is_even = false;         ///< and one colour: color holds
+  Vector3 glow, light;          ///< the colour is glow + light * texel
   std::array<std::uint8_t, 3> color{};
+  Linear share, u, v;  ///< of a texture: u / share and v / share are the place in it
+  double texels = 0;   ///< that a pixel spans for each metre of depth
 };
-
-/// The texel at a place of a texture that repeats, between the four nearest pixels.
-Vector3 texel(const Picture& picture, double u, double v) {
-  const double x = (u - std::floor(u)) * picture.width - 0.5;
-  const double y = (v - std::floor(v)) * picture.height - 0.5;
-  const double left = std::floor(x), top = std::floor(y);
-  const auto wrapped = [](double value, int size) {
-    const int whole = static_cast<int>(value);
-    return whole < 0 ? whole + size : whole >= size ? whole - size : whole;
-  };
-  const auto at = [&](double column, double row) {
-    const std::uint8_t* rgb =
-        &picture.rgb[3 * (std::size_t{1} * wrapped(row, picture.height) * picture.width +
-                          wrapped(column, picture.width))];
-    return Vector3{rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0};
-  };
-  const double fx = x - left, fy = y - top;
-  return (1 - fy) * ((1 - fx) * at(left, top) + fx * at(left + 1, top)) +
-         fy * ((1 - fx) * at(left, top + 1) + fx * at(left + 1, top + 1));
-}
 
 std::uint8_t byte_of(double value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5);
@@ -122,23 +106,41 @@ class Camera::Work {
 
   void color(const RenderScene& scene, Picture& picture) {
     const Lighting lighting(scene);
-    for (Seen& one : seen_) find_even_color(one, lighting);
+    for (Seen& one : seen_) prepare(one, lighting);
     std::uint8_t* rgb = picture.rgb.data();
     std::size_t pixel = 0;
+    // Neighbours mostly show the same face, in one colour.
+    std::uint32_t last = kNothing;
+    std::array<std::uint8_t, 3> color{};
     for (int y = 0; y < lens_.height; ++y)
       for (int x = 0; x < lens_.width; ++x, ++pixel, rgb += 3) {
-        if (shown_[pixel] == kNothing) continue;
-        const Seen& one = seen_[shown_[pixel]];
-        const double alpha = one.item->look.diffuse.a;
-        std::array<std::uint8_t, 3> color = one.color;
-        if (!one.is_even) color = color_at(one, lighting, x, y, pixel);
-        for (int c = 0; c < 3; ++c) rgb[c] = alpha >= 1 ? color[c] : mixed(rgb[c], color[c], alpha);
+        const std::uint32_t id = shown_[pixel];
+        if (id == kNothing) continue;
+        if (id != last) {
+          const Seen& one = seen_[id];
+          if (!one.is_even || one.item->is_transparent()) {
+            color_pixel(one, lighting, x, y, pixel, rgb);
+            continue;
+          }
+          last = id;
+          color = one.color;
+        }
+        rgb[0] = color[0];
+        rgb[1] = color[1];
+        rgb[2] = color[2];
       }
   }
 
   float nearness(std::size_t pixel) const { return nearness_[pixel]; }
 
  private:
+  void color_pixel(const Seen& one, const Lighting& lighting, int x, int y, std::size_t pixel,
+                   std::uint8_t* rgb) const {
+    const double alpha = std::min(one.item->look.diffuse.a, 1.0);
+    const auto color = one.is_even ? one.color : color_at(one, lighting, x, y, pixel);
+    for (int c = 0; c < 3; ++c) rgb[c] = alpha < 1 ? mixed(rgb[c], color[c], alpha) : color[c];
+  }
+
   static std::uint8_t mixed(std::uint8_t behind, std::uint8_t before, double alpha) {
     return static_cast<std::uint8_t>(behind + alpha * (before - behind) + 0.5);
   }
@@ -201,7 +203,11 @@ class Camera::Work {
     const Vector3 normal = cross(p[1] - p[0], p[2] - p[0]);
     const double volume = dot(normal, p[0]);
     if (std::abs(volume) < 1e-12 * length(normal)) return;  // seen along its plane
-    Seen seen{&item, corners, static_cast<std::uint32_t>(placed_.size() - 1), volume > 0, {}};
+    Seen seen;
+    seen.item = &item;
+    seen.corners = corners;
+    seen.placed = static_cast<std::uint32_t>(placed_.size() - 1);
+    seen.from_behind = volume > 0;
     // Neighbours have the same edge with the opposite sign, to the bit, so there is no gap.
     for (int i = 0; i < 3; ++i) {
       seen.edges[i] = of_pixels(cross(p[(i + 1) % 3], p[(i + 2) % 3]));
@@ -255,15 +261,51 @@ class Camera::Work {
     return (one.from_behind ? -1.0 : 1.0) / length(n) * n;
   }
 
-  void find_even_color(Seen& one, const Lighting& lighting) const {
+  /// What is the same for all pixels of a triangle.
+  void prepare(Seen& one, const Lighting& lighting) const {
     const Corner* c = one.corners;
+    const Look& look = one.item->look;
+    if (look.texture != nullptr) prepare_texture(one);
     for (int i = 1; i < 3; ++i)
       for (int k = 0; k < 3; ++k)
         if (c[i].normal[k] != c[0].normal[k]) return;
-    if (lighting.has_local() || one.item->look.texture != nullptr) return;
-    one.is_even = true;
+    if (lighting.has_local()) return;
     const Vector3 normal = world_normal(one, {c->normal[0], c->normal[1], c->normal[2]});
-    one.color = bytes_of(lighting.shade(one.item->look, {1, 1, 1}, {}, normal));
+    one.is_lit_evenly = true;
+    one.glow = lighting.shade(look, {}, {}, normal);
+    one.light = lighting.shade(look, {1, 1, 1}, {}, normal) - one.glow;
+    one.is_even = look.texture == nullptr;
+    one.color = bytes_of(one.glow + one.light);
+  }
+
+  void prepare_texture(Seen& one) const {
+    const Corner* c = one.corners;
+    for (int i = 0; i < 3; ++i) {
+      add(one.share, one.edges[i], 1);
+      add(one.u, one.edges[i], c[i].u);
+      add(one.v, one.edges[i], c[i].v);
+    }
+    const auto at = [&](int i) {
+      return Vector3{c[i].position[0], c[i].position[1], c[i].position[2]};
+    };
+    const double area = length(cross(at(1) - at(0), at(2) - at(0)));
+    const double in_texture =
+        std::abs((c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[2].u - c[0].u) * (c[1].v - c[0].v));
+    const Picture& whole = one.item->look.texture->whole();
+    one.texels =
+        std::sqrt(in_texture * whole.width * whole.height / std::max(area, 1e-12)) / lens_.fx;
+  }
+
+  static void add(Linear& sum, const Linear& one, double factor) {
+    sum.a += factor * one.a;
+    sum.b += factor * one.b;
+    sum.c += factor * one.c;
+  }
+
+  Vector3 texel_at(const Seen& one, double x, double y, double depth) const {
+    const double share = one.share.at(x, y);
+    const Texture& texture = *one.item->look.texture;
+    return texture.at(one.u.at(x, y) / share, one.v.at(x, y) / share, depth * one.texels);
   }
 
   static std::array<std::uint8_t, 3> bytes_of(const Vector3& color) {
@@ -272,43 +314,21 @@ class Camera::Work {
 
   std::array<std::uint8_t, 3> color_at(const Seen& one, const Lighting& lighting, int column,
                                        int row, std::size_t pixel) const {
-    const double x = column + 0.5, y = row + 0.5;
-    double share[3], sum = 0;
-    for (int i = 0; i < 3; ++i) sum += share[i] = std::max(0.0, one.edges[i].at(x, y));
-    Vector3 normal;
-    double u = 0, v = 0;
+    const double x = column + 0.5, y = row + 0.5, depth = 1.0 / nearness_[pixel];
+    Vector3 own{1, 1, 1};
+    if (one.item->look.texture != nullptr) own = texel_at(one, x, y, depth);
+    if (one.is_lit_evenly)
+      return bytes_of(one.glow +
+                      Vector3{one.light.x * own.x, one.light.y * own.y, one.light.z * own.z});
+    Vector3 normal;  // longer than 1, which world_normal() mends
     for (int i = 0; i < 3; ++i) {
-      share[i] /= sum;
-      const Corner& c = one.corners[i];
-      normal = normal + share[i] * Vector3{c.normal[0], c.normal[1], c.normal[2]};
-      u += share[i] * c.u;
-      v += share[i] * c.v;
+      const float* n = one.corners[i].normal;
+      normal = normal + std::max(0.0, one.edges[i].at(x, y)) * Vector3{n[0], n[1], n[2]};
     }
-    const double depth = 1.0 / nearness_[pixel];
     const Vector3 in_camera{depth, -depth * (x - lens_.cx) / lens_.fx,
                             -depth * (y - lens_.cy) / lens_.fy};
     const Vector3 at = pose_.position + rotate(pose_.orientation, in_camera);
-    Vector3 texel_color{1, 1, 1};
-    if (const Texture* texture = one.item->look.texture.get())
-      texel_color = texel(level_of(one, *texture, depth), u, v);
-    return bytes_of(lighting.shade(one.item->look, texel_color, at, world_normal(one, normal)));
-  }
-
-  /// The picture whose pixels are about as large as those of the camera at this depth.
-  const Picture& level_of(const Seen& one, const Texture& texture, double depth) const {
-    const Corner* c = one.corners;
-    const auto at = [&](int i) {
-      return Vector3{c[i].position[0], c[i].position[1], c[i].position[2]};
-    };
-    const double area = length(cross(at(1) - at(0), at(2) - at(0)));
-    const double in_texture =
-        std::abs((c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[2].u - c[0].u) * (c[1].v - c[0].v));
-    const Picture& whole = texture.levels.front();
-    const double texels = in_texture * whole.width * whole.height;
-    // Texels a pixel, along one side.
-    const double ratio = depth / lens_.fx * std::sqrt(texels / std::max(area, 1e-12));
-    const int level = ratio > 1 ? static_cast<int>(std::log2(ratio) + 0.5) : 0;
-    return texture.levels[std::min<std::size_t>(level, texture.levels.size() - 1)];
+    return bytes_of(lighting.shade(one.item->look, own, at, world_normal(one, normal)));
   }
 
   Lens lens_;
@@ -330,7 +350,11 @@ Camera::~Camera() = default;
 void Camera::draw(RenderScene& scene, const Pose& pose) {
   const Color& sky = scene.settings().background;
   const std::array<std::uint8_t, 3> color{byte_of(sky.r), byte_of(sky.g), byte_of(sky.b)};
-  for (std::size_t i = 0; i < picture_.rgb.size(); ++i) picture_.rgb[i] = color[i % 3];
+  const auto row = picture_.rgb.begin() + std::ptrdiff_t{3} * lens_.width;
+  for (auto at = picture_.rgb.begin(); at != row; at += 3)
+    std::copy(color.begin(), color.end(), at);
+  for (auto at = row; at != picture_.rgb.end(); at += row - picture_.rgb.begin())
+    std::copy(picture_.rgb.begin(), row, at);
   draw_depth(scene, pose);
   work_->color(scene, picture_);
   work_->forget();

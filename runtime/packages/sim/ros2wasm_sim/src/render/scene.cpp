@@ -2,33 +2,10 @@
 #include "render/scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ros2wasm_sim {
 namespace {
-
-/// The mean of each two by two pixels.
-Picture half_of(const Picture& whole) {
-  Picture half;
-  half.width = std::max(1, whole.width / 2);
-  half.height = std::max(1, whole.height / 2);
-  half.rgb.resize(std::size_t{3} * half.width * half.height);
-  for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        int sum = 0;
-        for (int dy = 0; dy < 2; ++dy)
-          for (int dx = 0; dx < 2; ++dx) {
-            const int at_x = std::min(2 * x + dx, whole.width - 1);
-            const int at_y = std::min(2 * y + dy, whole.height - 1);
-            sum += whole.rgb[3 * (std::size_t{1} * at_y * whole.width + at_x) + c];
-          }
-        half.rgb[3 * (std::size_t{1} * y * half.width + x) + c] =
-            static_cast<std::uint8_t>((sum + 2) / 4);
-      }
-  return half;
-}
 
 std::string folder_of(const std::string& path) {
   return path.substr(0, path.rfind('/') + 1);
@@ -128,11 +105,7 @@ std::shared_ptr<const Texture> RenderScene::texture(const std::string& path) {
   auto picture = bytes ? read_picture(*bytes) : std::nullopt;
   constexpr std::size_t kMostBytes = 256U << 20;  // of all pictures
   if (!picture || (texture_bytes_ += picture->rgb.size()) > kMostBytes) return nullptr;
-  auto texture = std::make_shared<Texture>();
-  texture->levels.push_back(std::move(*picture));
-  while (texture->levels.back().width > 1 || texture->levels.back().height > 1)
-    texture->levels.push_back(half_of(texture->levels.back()));
-  found->second = std::move(texture);
+  found->second = std::make_shared<const Texture>(std::move(*picture));
   return found->second;
 }
 

@@ -12,15 +12,10 @@
 
 #include "core/simulation.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "render/picture.hpp"
+#include "render/texture.hpp"
 #include "render/triangles.hpp"
 
 namespace ros2wasm_sim {
-
-/// A picture and its halves down to one pixel.
-struct Texture {
-  std::vector<Picture> levels;
-};
 
 struct Look {
   Color ambient, diffuse, emissive;

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kMostSide = 4096;
 constexpr double kMostPixels = 4'000'000;
+/// Values of noise, of which each row of a picture takes a part that begins at random.
+constexpr std::size_t kValues = 65536;
+constexpr std::size_t kMostWidth = 4096;
 
 Lens read_lens(const Parameters& camera) {
   const Parameters image = camera.inside("image"), clip = camera.inside("clip");
@@ -93,24 +96,21 @@ PictureNoise::PictureNoise(const CameraSettings& settings, std::uint64_t seed,
                            const std::string& name)
     : random_(seed, name) {
   if (settings.noise_mean == 0 && settings.noise_stddev == 0) return;
-  constexpr std::size_t kValues = 65536;
-  values_.resize(kValues);
-  for (std::int16_t& value : values_)
-    value = static_cast<std::int16_t>(std::lround(std::clamp(
+  values_.resize(kValues + kMostWidth);
+  for (std::size_t i = 0; i < kValues; ++i)
+    values_[i] = static_cast<std::int16_t>(std::lround(std::clamp(
         255 * (settings.noise_mean + settings.noise_stddev * random_.gaussian()), -255.0, 255.0)));
+  std::copy_n(values_.begin(), kMostWidth, values_.begin() + kValues);
 }
 
 void PictureNoise::apply(Picture& picture) {
   if (values_.empty()) return;
-  constexpr std::size_t kDrawn = 4;  // values from one number
-  std::uint64_t bits = 0;
-  const std::size_t pixels = picture.rgb.size() / 3;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    if (i % kDrawn == 0) bits = random_.bits();
-    const int noise = values_[bits & 0xffff];
-    bits >>= 16;
-    for (std::size_t c = 3 * i; c < 3 * i + 3; ++c)
-      picture.rgb[c] = static_cast<std::uint8_t>(std::clamp(picture.rgb[c] + noise, 0, 255));
+  std::uint8_t* rgb = picture.rgb.data();
+  for (int row = 0; row < picture.height; ++row) {
+    const std::int16_t* noise = &values_[random_.bits() % kValues];
+    for (int column = 0; column < picture.width; ++column, rgb += 3)
+      for (int c = 0; c < 3; ++c)
+        rgb[c] = static_cast<std::uint8_t>(std::clamp(rgb[c] + noise[column], 0, 255));
   }
 }
 

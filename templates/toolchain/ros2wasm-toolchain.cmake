@@ -154,6 +154,7 @@ if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python3_EXECUTABLE /usr/bin/python3)
 endif()
 set(CMAKE_PROJECT_INCLUDE "${ROS2WASM_TOOLCHAIN_DIR}/modules/after_project.cmake")
+set(CMAKE_PROJECT_TOP_LEVEL_INCLUDES "${ROS2WASM_TOOLCHAIN_DIR}/modules/provider.cmake")
 
 # --- policy of a site build ----------------------------------------------------------------------
 # In the cache, because option() of old packages drops ordinary variables. Tests and linters run in the

@@ -10,20 +10,27 @@ gazebo|gui|launch|math|msgs|physics|plugin|rendering|sensors|sim|tools|transport
 set(_ros2wasm_version_of_sim 8)
 set(_ros2wasm_version_of_gazebo 11)
 
-# A macro: packages set variables for who asks.
-macro(find_package)
+# Asked before each package is looked for, with the words of find_package(). Packages that this does not set as found are
+# looked for as ever. A macro: packages set variables for who asks.
+macro(_ros2wasm_before_find_package)
   if("${ARGV0}" MATCHES "${_ros2wasm_gazebo_libraries}")
-    include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
     set_property(GLOBAL PROPERTY ROS2WASM_ASKED_FOR_GAZEBO TRUE)
-    if("${ARGV0}" STREQUAL "gazebo_ros")  # a package of the channel: nodes name it for its launch files, too
-      _find_package(${ARGV})
-    else()
+    include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
+    if(NOT "${ARGV0}" STREQUAL "gazebo_ros")  # a package of the channel: nodes name it for its launch files, too
       _ros2wasm_find_gazebo_library(${ARGV})
     endif()
-  else()
-    _find_package(${ARGV})
   endif()
 endmacro()
+
+# Newer versions of CMake ask the provider (provider.cmake), so that errors name the line of the project.
+if(CMAKE_VERSION VERSION_LESS 3.24)
+  macro(find_package)
+    _ros2wasm_before_find_package(${ARGV})
+    if("${ARGV0}" STREQUAL "gazebo_ros" OR NOT "${ARGV0}" MATCHES "${_ros2wasm_gazebo_libraries}")
+      _find_package(${ARGV})
+    endif()
+  endmacro()
+endif()
 
 # Those of Gazebo's own build system.
 macro(gz_find_package)

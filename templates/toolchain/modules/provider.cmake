@@ -1,0 +1,7 @@
+# Lets gazebo.cmake answer find_package(). CMake includes this in the first project() call, the only place for it.
+macro(_ros2wasm_provide method)
+  _ros2wasm_before_find_package(${ARGN})
+endmacro()
+if(NOT CMAKE_VERSION VERSION_LESS 3.24)
+  cmake_language(SET_DEPENDENCY_PROVIDER _ros2wasm_provide SUPPORTED_METHODS FIND_PACKAGE)
+endif()

@@ -27,9 +27,15 @@ function board(args: readonly string[]): Promise<{ readonly code: number; readon
   });
 }
 
+const stated = parse(readFileSync(join(root, 'tests/scoreboard/expectations/own_packages.yaml'), 'utf8')) as
+  readonly { readonly package: string; readonly executable?: string; readonly launch?: string }[];
+const rowsOf = (prefix: string): string[] =>
+  stated.filter((row) => row.package.startsWith(prefix)).map((row) => `${row.package}/${row.executable ?? row.launch}`);
+
 /** Rows of packages that were written from the documentation alone. */
-const learned = (parse(readFileSync(join(root, 'tests/scoreboard/expectations/own_packages.yaml'), 'utf8')) as { package: string; executable?: string }[])
-  .filter((row) => row.package.startsWith('learn_')).map((row) => `${row.package}/${row.executable}`);
+const learned = rowsOf('learn_');
+/** Launch files of packages in the shape of public workspaces with a simulated robot. */
+const simulated = rowsOf('sim_');
 
 nightlyTest('components, linked, loaded and in a container; interfaces of another package of the workspace', { timeout: 500_000 }, async () => {
   const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader', '--only', 'lifecycle_sensor/launch']);
@@ -59,10 +65,10 @@ const ofPython = learned.filter((row) => /_py\//.test(row) && row !== 'learn_own
 // Compatibility, works: fifteen packages written after ROS 2's documentation, five of C++ (from it alone) and ten of Python: topics
 // (callbacks of every form), services, actions, parameters, tf2, managed nodes, own interfaces, threads, asyncio
 test('packages written from the documentation alone', { timeout: 1_200_000 }, async () => {
-  const rowsOf = nightly ? learned : ofPython;
-  const { code, rows, output } = await board(rowsOf.flatMap((row) => ['--only', row]));
+  const wanted = nightly ? learned : ofPython;
+  const { code, rows, output } = await board(wanted.flatMap((row) => ['--only', row]));
   assert.equal(code, 0, output);
-  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...rowsOf].sort());
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...wanted].sort());
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
 });
 
@@ -70,6 +76,16 @@ nightlyTest('in Chromium: packages of Python that were written from the document
   const { code, rows, output } = await board(['--chromium', ...ofPython.flatMap((row) => ['--only', row])]);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...ofPython].sort());
+  assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
+});
+
+// Compatibility, works: ten packages in the shape of public workspaces with a simulated robot: TurtleBot-like ones (a variable chooses the
+// model, server and client apart), a robot description that several share, robots in namespaces, arms, cars, courses with a camera or a lidar
+test('packages in the shape of public workspaces with a simulated robot', { timeout: 600_000 }, async () => {
+  const { code, rows, output } = await board(simulated.flatMap((row) => ['--only', row]));
+  assert.equal(code, 0, output);
+  assert.equal(new Set(rows.map((row) => row.package)).size, 10);
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...simulated].sort());
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
 });
 

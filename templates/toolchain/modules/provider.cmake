@@ -1,4 +1,5 @@
 # Lets gazebo.cmake answer find_package(). CMake includes this in the first project() call, the only place for it.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 macro(_ros2wasm_provide method)
   _ros2wasm_before_find_package(${ARGN})
 endmacro()

@@ -261,7 +261,7 @@ class Camera::Work {
     return (one.from_behind ? -1.0 : 1.0) / length(n) * n;
   }
 
-  /// What is the same for all pixels of a triangle.
+  /// Finds the values that all pixels of a triangle share.
   void prepare(Seen& one, const Lighting& lighting) const {
     const Corner* c = one.corners;
     const Look& look = one.item->look;

@@ -9,15 +9,10 @@
 #include "core/simulation.hpp"
 #include "render/camera.hpp"
 #include "sensors/camera_settings.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
-
-class NoPlugins final : public SystemMaker {
- public:
-  std::vector<std::unique_ptr<System>> systems_of(const Model&, Simulation&) override { return {}; }
-  std::vector<std::unique_ptr<System>> systems_of(const World&, Simulation&) override { return {}; }
-};
 
 Model seen(const std::string& name, const Geometry& geometry, const Vector3& position,
            const Color& color = {1, 0, 0, 1}) {

@@ -188,7 +188,7 @@ TEST(SdfWorld, TextsWithoutAWorldSayWhatTheyAre) {
 
 /// The advice about a model that is not found.
 std::string way_to(const std::string& name) {
-  return ". There is no package `" + name + "`; the package with the folder `" + name +
+  return ". The package `" + name + "` does not exist; the package with the folder `" + name +
          "` names it with <gazebo_ros gazebo_model_path=\"${prefix}/FOLDER\"/> in the <export> of "
          "its "
          "package.xml, or a launch file adds it to GAZEBO_MODEL_PATH or GZ_SIM_RESOURCE_PATH\n";

@@ -8,15 +8,10 @@
 #include <vector>
 
 #include "core/drag.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
-
-class NoPlugins final : public SystemMaker {
- public:
-  std::vector<std::unique_ptr<System>> systems_of(const Model&, Simulation&) override { return {}; }
-  std::vector<std::unique_ptr<System>> systems_of(const World&, Simulation&) override { return {}; }
-};
 
 Link part(const std::string& name, double mass) {
   Link link;

@@ -11,11 +11,10 @@
 #include "plugins/mecanum.hpp"
 #include "plugins/pid.hpp"
 #include "plugins/trajectory_player.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 Link part(const std::string& name, double mass, const Vector3& position) {
   Link link;
@@ -51,26 +50,6 @@ Joint hinge(const std::string& name, const std::string& parent, const std::strin
   joint.axes.push_back({});
   joint.axes.front().xyz = axis;
   return joint;
-}
-
-Model ground() {
-  Model model = model_of("ground", {part("link", 1, {})});
-  model.is_static = true;
-  model.links.front().collisions.push_back(shaped(Plane{}));
-  return model;
-}
-
-std::unique_ptr<Physics> physics_of(std::vector<Model> models, const Vector3& gravity) {
-  World world;
-  world.models = std::move(models);
-  world.gravity = gravity;
-  auto physics = make_physics({});
-  physics->set_world(world);
-  return physics;
-}
-
-void run(Physics& physics, int steps) {
-  for (int i = 0; i < steps; ++i) physics.step();
 }
 
 TEST(SimulatorForces, AForceAtTheCentreOfMassGivesAnAccelerationOfForceByMass) {

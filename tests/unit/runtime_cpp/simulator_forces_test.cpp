@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "physics/physics.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 Link link_of(const std::string& name, double mass, const Geometry& geometry) {
   Link link;
@@ -33,24 +32,6 @@ Model model_of(const std::string& name, Link link, const Vector3& position) {
   model.pose.position = position;
   model.links.push_back(std::move(link));
   return model;
-}
-
-Model ground() {
-  Model model = model_of("ground", link_of("link", 1, Plane{}), {});
-  model.is_static = true;
-  return model;
-}
-
-std::unique_ptr<Physics> physics_of(std::vector<Model> models) {
-  World world;
-  world.models = std::move(models);
-  auto physics = make_physics({});
-  physics->set_world(world);
-  return physics;
-}
-
-void run(Physics& physics, int steps) {
-  for (int i = 0; i < steps; ++i) physics.step();
 }
 
 TEST(SimulatorForces, AFloorCarriesTheWeightOfABox) {

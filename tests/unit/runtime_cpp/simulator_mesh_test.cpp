@@ -9,6 +9,7 @@
 
 #include "physics/mesh_pieces.hpp"
 #include "physics/physics.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -52,26 +53,6 @@ TriangleMesh square(double half) {
   return {{-h, -h, 0, h, -h, 0, h, h, 0, -h, h, 0}, {0, 1, 2, 0, 2, 3}};
 }
 
-Model solid(const std::string& name, const Geometry& geometry, const Vector3& position) {
-  Model model;
-  model.name = name;
-  model.pose.position = position;
-  Link link;
-  link.name = "link";
-  link.inertial.ixx = link.inertial.iyy = link.inertial.izz = 0.01;
-  Collision shape;
-  shape.name = "shape";
-  shape.geometry = geometry;
-  link.collisions.push_back(shape);
-  model.links.push_back(link);
-  return model;
-}
-
-Model fixed(Model model) {
-  model.is_static = true;
-  return model;
-}
-
 Geometry mesh_at(const std::string& path) {
   Mesh mesh;
   mesh.uri = mesh.path = path;
@@ -85,10 +66,6 @@ std::unique_ptr<Physics> physics_of(std::vector<Model> models, const TriangleMes
       make_physics([mesh](const Mesh&) { return std::make_shared<const TriangleMesh>(mesh); });
   physics->set_world(world);
   return physics;
-}
-
-void run(Physics& physics, int steps) {
-  for (int i = 0; i < steps; ++i) physics.step();
 }
 
 TEST(MeshPieces, AConvexMeshIsWhole) {

@@ -16,11 +16,11 @@
 #include "sensors/geographic.hpp"
 #include "sensors/magnetometer.hpp"
 #include "sensors/navsat.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kDegree = kPi / 180;
 
 Model ball(const std::string& name, const Vector3& position, bool is_static) {
@@ -36,14 +36,6 @@ Model ball(const std::string& name, const Vector3& position, bool is_static) {
   link.collisions.push_back(shape);
   model.links.push_back(link);
   return model;
-}
-
-std::unique_ptr<Physics> physics_of(std::vector<Model> models) {
-  World world;
-  world.models = std::move(models);
-  auto physics = make_physics({});
-  physics->set_world(world);
-  return physics;
 }
 
 Sensor sensor_of(const std::string& type, const std::string& elements) {

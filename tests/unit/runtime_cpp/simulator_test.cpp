@@ -9,47 +9,10 @@
 
 #include "physics/physics.hpp"
 #include "sensors/lidar.hpp"
+#include "simulator_worlds.hpp"
 
 namespace ros2wasm_sim {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
-
-Model solid(const std::string& name, const Geometry& geometry, const Vector3& position) {
-  Model model;
-  model.name = name;
-  model.pose.position = position;
-  Link link;
-  link.name = "link";
-  link.inertial.ixx = link.inertial.iyy = link.inertial.izz = 0.01;
-  Collision shape;
-  shape.name = "shape";
-  shape.geometry = geometry;
-  link.collisions.push_back(shape);
-  model.links.push_back(link);
-  return model;
-}
-
-Model fixed(Model model) {
-  model.is_static = true;
-  return model;
-}
-
-Model ground() {
-  return fixed(solid("ground", Plane{}, {}));
-}
-
-std::unique_ptr<Physics> physics_of(std::vector<Model> models) {
-  World world;
-  world.models = std::move(models);
-  auto physics = make_physics({});
-  physics->set_world(world);
-  return physics;
-}
-
-void run(Physics& physics, int steps) {
-  for (int i = 0; i < steps; ++i) physics.step();
-}
 
 /// A base of 3 kg on two wheels of 5 cm, 30 cm apart, and a caster that slides.
 Model rover() {

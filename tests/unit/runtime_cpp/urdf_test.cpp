@@ -213,7 +213,7 @@ TEST(Urdf, RefusesSdfThatIsNoRobot) {
             "SDF needs one <model> for a robot, not 0");
   EXPECT_EQ(refusal("<sdf version='1.9'><model name='m'><link name='a'><pose "
                     "relative_to='b'/></link></model></sdf>"),
-            "there is no frame 'b' in the model");
+            "the frame 'b' does not exist in the model");
   EXPECT_EQ(refusal("<sdf version='1.9'><model name='m'><link name='a'><pose relative_to='b'/>"
                     "</link><link name='b'><pose relative_to='a'/></link></model></sdf>"),
             "the pose of 'a' is relative to itself");

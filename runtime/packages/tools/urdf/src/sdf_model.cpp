@@ -104,7 +104,7 @@ class Frames {
     for (std::string next = name; next != "__model__";) {
       const auto found = frames_.find(next);
       if (found == frames_.end()) {
-        throw ParseError("there is no frame '" + next + "' in the model");
+        throw ParseError("the frame '" + next + "' does not exist in the model");
       }
       if (!seen.insert(next).second) {
         throw ParseError("the pose of '" + name + "' is relative to itself");

@@ -12,8 +12,8 @@ namespace {
 /// Courses write 100000 for "does not slip"; above this the engine's wheels turn less exactly.
 constexpr double kMostFriction = 2;
 
-/// Treads of wheels roll on slabs of a mesh that are no steeper than this: the upward part of the
-/// normal.
+/// A slab of a mesh counts as ground, on which treads of wheels roll, when the upward part of its
+/// normal is larger than this.
 constexpr double kGroundSlope = 0.9;
 
 // Bits beyond the sixteen of SDF. The tread of a wheel meets planes only, the wheel's own cylinder

@@ -1,6 +1,5 @@
 // libgazebo_ros_ackermann_drive.so: a car whose wheels are driven and steered by forces.
 #include <geometry_msgs/msg/twist.hpp>
-#include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/float32.hpp>
 #include <tf2_ros/transform_broadcaster.hpp>
 
@@ -9,9 +8,8 @@
 #include <sstream>
 
 #include "plugins/ackermann.hpp"
-#include "plugins/messages.hpp"
+#include "plugins/classic_odometry.hpp"
 #include "plugins/pid.hpp"
-#include "plugins/plugin.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -35,6 +33,7 @@ class ClassicAckermannDrive final : public System {
       : simulation_(context.simulation),
         node_(context.host, context.plugin),
         model_(context.model->name),
+        described_(Parameters(context.plugin.xml)),
         rate_(Parameters(context.plugin.xml).number("update_rate", 100)) {
     const Parameters given(context.plugin.xml);
     for (const char* name : {"front_left_joint", "front_right_joint", "rear_left_joint",
@@ -49,10 +48,6 @@ class ClassicAckermannDrive final : public System {
     left_pid_ = car_pid(given, "left_steering");
     right_pid_ = car_pid(given, "right_steering");
     speed_pid_ = car_pid(given, "linear_velocity");
-    odometry_frame_ = given.text("odometry_frame", "odom");
-    base_frame_ = given.text("robot_base_frame", "base_footprint");
-    covariance_ = {given.number("covariance_x", 1e-5), given.number("covariance_y", 1e-5),
-                   given.number("covariance_yaw", 1e-3)};
     connect(given);
   }
 
@@ -141,7 +136,7 @@ class ClassicAckermannDrive final : public System {
       frames_ = std::make_unique<tf2_ros::TransformBroadcaster>(node_.get());
     if (publishes_frame_)
       RCLCPP_INFO(node_->get_logger(), "Publishing odom transforms between [%s] and [%s]",
-                  odometry_frame_.c_str(), base_frame_.c_str());
+                  described_.frame().c_str(), described_.base().c_str());
   }
 
   void publish_car(const Now& now) {
@@ -168,30 +163,19 @@ class ClassicAckermannDrive final : public System {
       steering_->publish(message);
     }
     if (publishes_frame_)
-      frames_->sendTransform(transform_message(stamp, odometry_frame_, base_frame_, pose));
+      frames_->sendTransform(transform_message(stamp, described_.frame(), described_.base(), pose));
     if (!publishes_wheels_) return;
     for (const std::string& link : wheel_links_)
-      frames_->sendTransform(transform_message(
-          stamp, base_frame_, link, inverse(pose) * physics().pose(physics().link(model_, link))));
+      frames_->sendTransform(
+          transform_message(stamp, described_.base(), link,
+                            inverse(pose) * physics().pose(physics().link(model_, link))));
   }
 
   void publish_odometry(const Model& model, const Pose& pose,
                         const builtin_interfaces::msg::Time& stamp) {
-    const std::string& link =
-        model.canonical_link.empty() ? model.links.front().name : model.canonical_link;
-    const Motion motion = physics().velocity(physics().link(model_, link));
-    nav_msgs::msg::Odometry message;
-    message.header.stamp = stamp;
-    message.header.frame_id = odometry_frame_;
-    message.child_frame_id = base_frame_;
-    message.pose.pose = pose_message(pose);
-    const Quaternion back = from_roll_pitch_yaw(0, 0, -yaw_of(pose.orientation));
-    const Vector3 across = rotate(back, motion.linear);
-    message.twist.twist.linear = vector_message({across.x, across.y, 0});
-    message.twist.twist.angular.z = motion.angular.z;
-    const double diagonal[] = {covariance_.x, covariance_.y, 1e12, 1e12, 1e12, covariance_.z};
-    for (std::size_t i = 0; i < 6; ++i)
-      message.pose.covariance[7 * i] = message.twist.covariance[7 * i] = diagonal[i];
+    nav_msgs::msg::Odometry message =
+        described_.message(stamp, pose, level_motion(simulation_, model, pose));
+    message.twist.covariance = message.pose.covariance;
     odometry_->publish(message);
   }
 
@@ -200,6 +184,7 @@ class ClassicAckermannDrive final : public System {
   Simulation& simulation_;
   PluginNode node_;
   std::string model_;
+  ClassicOdometry described_;
   Rate rate_;
   std::int64_t last_ns_ = -1;  ///< of the last update; -1: there was none
   std::vector<JointHandle> joints_;
@@ -213,8 +198,6 @@ class ClassicAckermannDrive final : public System {
   Vector3 last_position_;
   bool is_placed_ = false;
   double distance_ = 0;  ///< metres
-  std::string odometry_frame_, base_frame_;
-  Vector3 covariance_;  ///< of x, y and yaw
   bool publishes_frame_ = false, publishes_wheels_ = false;
   rclcpp::Subscription<geometry_msgs::msg::Twist>::SharedPtr subscription_;
   rclcpp::Publisher<nav_msgs::msg::Odometry>::SharedPtr odometry_;

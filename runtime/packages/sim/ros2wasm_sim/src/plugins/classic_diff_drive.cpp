@@ -1,14 +1,12 @@
 // libgazebo_ros_diff_drive.so: two or more driven wheels, and odometry.
 #include <geometry_msgs/msg/transform_stamped.hpp>
 #include <geometry_msgs/msg/twist.hpp>
-#include <nav_msgs/msg/odometry.hpp>
 #include <tf2_ros/transform_broadcaster.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plugins/messages.hpp"
-#include "plugins/plugin.hpp"
+#include "plugins/classic_odometry.hpp"
 #include "plugins/wheel_watch.hpp"
 
 namespace ros2wasm_sim {
@@ -29,6 +27,7 @@ class ClassicDiffDrive final : public System {
       : simulation_(context.simulation),
         node_(context.host, context.plugin),
         model_(context.model->name),
+        odometry_(Parameters(context.plugin.xml)),
         rate_(Parameters(context.plugin.xml).number("update_rate", 100)) {
     const Parameters given(context.plugin.xml);
     read_wheels(context, given);
@@ -38,10 +37,6 @@ class ClassicDiffDrive final : public System {
     publishes_odometry_ = given.flag("publish_odom", false);
     publishes_odometry_frame_ = given.flag("publish_odom_tf", false);
     publishes_wheel_frames_ = given.flag("publish_wheel_tf", false);
-    odometry_frame_ = given.text("odometry_frame", "odom");
-    base_frame_ = given.text("robot_base_frame", "base_footprint");
-    covariance_ = {given.number("covariance_x", 1e-5), given.number("covariance_y", 1e-5),
-                   given.number("covariance_yaw", 1e-3)};
     connect();
   }
 
@@ -113,12 +108,12 @@ class ClassicDiffDrive final : public System {
       frames_ = std::make_unique<tf2_ros::TransformBroadcaster>(node_.get());
     if (publishes_odometry_frame_)
       RCLCPP_INFO(node_->get_logger(), "Publishing odom transforms between [%s] and [%s]",
-                  odometry_frame_.c_str(), base_frame_.c_str());
+                  odometry_.frame().c_str(), odometry_.base().c_str());
     if (!publishes_wheel_frames_) return;
     for (const WheelPair& pair : pairs_)
       for (const std::string& link : {pair.left_link, pair.right_link})
         RCLCPP_INFO(node_->get_logger(), "Publishing wheel transforms between [%s] and [%s]",
-                    base_frame_.c_str(), link.c_str());
+                    odometry_.base().c_str(), link.c_str());
   }
 
   void command_wheels(const Now& now) {
@@ -156,13 +151,7 @@ class ClassicDiffDrive final : public System {
     const Model* model = simulation_.model(model_);
     if (model == nullptr) return;
     pose_ = simulation_.model_pose(*model);
-    const std::string& link =
-        model->canonical_link.empty() ? model->links.front().name : model->canonical_link;
-    const Motion motion = physics().velocity(physics().link(model_, link));
-    const double yaw = yaw_of(pose_.orientation);
-    velocity_ = {std::cos(yaw) * motion.linear.x + std::sin(yaw) * motion.linear.y,
-                 std::cos(yaw) * motion.linear.y - std::sin(yaw) * motion.linear.x, 0};
-    yaw_rate_ = motion.angular.z;
+    motion_ = level_motion(simulation_, *model, pose_);
   }
 
   void update_from_encoders(const Now& now) {
@@ -174,28 +163,18 @@ class ClassicDiffDrive final : public System {
     pose_.position.x += forward * std::cos(middle);
     pose_.position.y += forward * std::sin(middle);
     pose_.orientation = from_roll_pitch_yaw(0, 0, yaw + turned);
-    velocity_ = {std::abs(forward) / now.step, 0, 0};
-    yaw_rate_ = turned / now.step;
+    motion_ = {{std::abs(forward) / now.step, 0, 0}, turned / now.step};
   }
 
   void publish(const Now& now) {
     const auto stamp = stamp_of(now.time_ns);
     if (publishes_odometry_) {
-      nav_msgs::msg::Odometry message;
-      message.header.stamp = stamp;
-      message.header.frame_id = odometry_frame_;
-      message.child_frame_id = base_frame_;
-      message.pose.pose = pose_message(pose_);
-      message.twist.twist.linear = vector_message(velocity_);
-      message.twist.twist.angular.z = yaw_rate_;
-      // Nothing is known of height, roll and pitch: 1e12.
-      const double diagonal[] = {covariance_.x, covariance_.y, 1e12, 1e12, 1e12, covariance_.z};
-      for (std::size_t i = 0; i < 6; ++i)
-        message.pose.covariance[7 * i] = message.twist.covariance[7 * i] = diagonal[i];
+      nav_msgs::msg::Odometry message = odometry_.message(stamp, pose_, motion_);
+      message.twist.covariance = message.pose.covariance;
       publisher_->publish(message);
     }
     if (publishes_odometry_frame_)
-      frames_->sendTransform(transform_message(stamp, odometry_frame_, base_frame_, pose_));
+      frames_->sendTransform(transform_message(stamp, odometry_.frame(), odometry_.base(), pose_));
     if (publishes_wheel_frames_) publish_wheels(stamp);
   }
 
@@ -206,7 +185,7 @@ class ClassicDiffDrive final : public System {
     for (const WheelPair& pair : pairs_)
       for (const std::string& link : {pair.left_link, pair.right_link})
         frames_->sendTransform(transform_message(
-            stamp, base_frame_, link, base * physics().pose(physics().link(model_, link))));
+            stamp, odometry_.base(), link, base * physics().pose(physics().link(model_, link))));
   }
 
   Physics& physics() { return simulation_.physics(); }
@@ -214,6 +193,7 @@ class ClassicDiffDrive final : public System {
   Simulation& simulation_;
   PluginNode node_;
   std::string model_;
+  ClassicOdometry odometry_;
   Rate rate_;
   std::int64_t last_ns_ = -1;  ///< of the last update; -1: there was none
   std::vector<WheelPair> pairs_;
@@ -223,12 +203,9 @@ class ClassicDiffDrive final : public System {
   bool from_world_ = true;
   bool publishes_odometry_ = false, publishes_odometry_frame_ = false,
        publishes_wheel_frames_ = false;
-  std::string odometry_frame_, base_frame_;
-  Vector3 covariance_;             ///< of x, y and yaw
   double forward_ = 0, turn_ = 0;  ///< the last command, m/s and rad/s; it stays until another one
   Pose pose_;
-  Vector3 velocity_;
-  double yaw_rate_ = 0;
+  LevelMotion motion_;
   rclcpp::Subscription<geometry_msgs::msg::Twist>::SharedPtr subscription_;
   rclcpp::Publisher<nav_msgs::msg::Odometry>::SharedPtr publisher_;
   std::unique_ptr<tf2_ros::TransformBroadcaster> frames_;

@@ -1,12 +1,10 @@
 // libgazebo_ros_planar_move.so: moves a model over the ground with the velocities of `cmd_vel`.
 #include <geometry_msgs/msg/twist.hpp>
-#include <nav_msgs/msg/odometry.hpp>
 #include <tf2_ros/transform_broadcaster.hpp>
 
 #include <cmath>
 
-#include "plugins/messages.hpp"
-#include "plugins/plugin.hpp"
+#include "plugins/classic_odometry.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -17,13 +15,10 @@ class ClassicPlanarMove final : public System {
       : simulation_(context.simulation),
         node_(context.host, context.plugin),
         model_(context.model->name),
+        odometry_(Parameters(context.plugin.xml)),
         update_rate_(Parameters(context.plugin.xml).number("update_rate", 20)),
         publish_rate_(Parameters(context.plugin.xml).number("publish_rate", 20)) {
     const Parameters given(context.plugin.xml);
-    odometry_frame_ = given.text("odometry_frame", "odom");
-    base_frame_ = given.text("robot_base_frame", "base_footprint");
-    covariance_ = {given.number("covariance_x", 1e-5), given.number("covariance_y", 1e-5),
-                   given.number("covariance_yaw", 1e-3)};
     subscription_ = node_->create_subscription<geometry_msgs::msg::Twist>(
         "cmd_vel", rclcpp::QoS(1), [this](const geometry_msgs::msg::Twist& command) {
           command_ = {command.linear.x, command.linear.y, command.angular.z};
@@ -36,7 +31,7 @@ class ClassicPlanarMove final : public System {
     if (given.flag("publish_odom_tf", true)) {
       frames_ = std::make_unique<tf2_ros::TransformBroadcaster>(node_.get());
       RCLCPP_INFO(node_->get_logger(), "Publishing odom transforms between [%s] and [%s]",
-                  odometry_frame_.c_str(), base_frame_.c_str());
+                  odometry_.frame().c_str(), odometry_.base().c_str());
     }
   }
 
@@ -54,22 +49,9 @@ class ClassicPlanarMove final : public System {
     const Pose pose = simulation_.model_pose(*model);
     const auto stamp = stamp_of(now.time_ns);
     if (frames_ != nullptr)
-      frames_->sendTransform(transform_message(stamp, odometry_frame_, base_frame_, pose));
+      frames_->sendTransform(transform_message(stamp, odometry_.frame(), odometry_.base(), pose));
     if (publisher_ == nullptr) return;
-    const Motion motion = simulation_.physics().velocity(
-        simulation_.physics().link(model_, model->links.front().name));
-    nav_msgs::msg::Odometry message;
-    message.header.stamp = stamp;
-    message.header.frame_id = odometry_frame_;
-    message.child_frame_id = base_frame_;
-    message.pose.pose = pose_message(pose);
-    const Quaternion back = from_roll_pitch_yaw(0, 0, -yaw_of(pose.orientation));
-    const Vector3 across = rotate(back, motion.linear);
-    message.twist.twist.linear = vector_message({across.x, across.y, 0});
-    message.twist.twist.angular.z = motion.angular.z;
-    const double diagonal[] = {covariance_.x, covariance_.y, 1e12, 1e12, 1e12, covariance_.z};
-    for (std::size_t i = 0; i < 6; ++i) message.pose.covariance[7 * i] = diagonal[i];
-    publisher_->publish(message);
+    publisher_->publish(odometry_.message(stamp, pose, level_motion(simulation_, *model, pose)));
   }
 
   void on_reset() override {
@@ -82,10 +64,9 @@ class ClassicPlanarMove final : public System {
   Simulation& simulation_;
   PluginNode node_;
   std::string model_;
+  ClassicOdometry odometry_;
   Rate update_rate_, publish_rate_;
-  std::string odometry_frame_, base_frame_;
-  Vector3 covariance_;  ///< of x, y and yaw
-  Vector3 command_;     ///< m/s forward and to the left, rad/s; it stays until another one
+  Vector3 command_;  ///< m/s forward and to the left, rad/s; it stays until another one
   rclcpp::Subscription<geometry_msgs::msg::Twist>::SharedPtr subscription_;
   rclcpp::Publisher<nav_msgs::msg::Odometry>::SharedPtr publisher_;
   std::unique_ptr<tf2_ros::TransformBroadcaster> frames_;

@@ -208,7 +208,8 @@ class Camera::Work {
     seen.corners = corners;
     seen.placed = static_cast<std::uint32_t>(placed_.size() - 1);
     seen.from_behind = volume > 0;
-    // Neighbours have the same edge with the opposite sign, to the bit, so there is no gap.
+    // A neighbour computes the same edge with the opposite sign and exactly the same digits, so
+    // each pixel on the edge belongs to one of the two.
     for (int i = 0; i < 3; ++i) {
       seen.edges[i] = of_pixels(cross(p[(i + 1) % 3], p[(i + 2) % 3]));
       if (volume < 0) seen.edges[i] = {-seen.edges[i].a, -seen.edges[i].b, -seen.edges[i].c};

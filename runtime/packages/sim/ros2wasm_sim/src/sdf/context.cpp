@@ -56,7 +56,7 @@ std::string way_to_file(const std::string& uri, const std::vector<std::string>& 
            "whether its CMakeLists.txt or setup.py installs `" +
            folder + "`";
   }
-  return ". There is no package `" + package + "`; the package with the folder `" + package +
+  return ". The package `" + package + "` does not exist; the package with the folder `" + package +
          "` names it with <gazebo_ros gazebo_model_path=\"${prefix}/FOLDER\"/> in the <export> of "
          "its "
          "package.xml, or a launch file adds it to GAZEBO_MODEL_PATH or GZ_SIM_RESOURCE_PATH";

@@ -7,7 +7,7 @@ import { kPlainLook, withLook } from '../model/display_look.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { member, textMember } from '../model/json.ts';
 import { problemOf } from '../model/problem.ts';
-import { kMostImages, readOptions, writeOptions } from '../model/scene_options.ts';
+import { readOptions, writeOptions } from '../model/scene_options.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
 import { IconButton } from '../parts/button.tsx';
 import { isImage } from '../parts/image_drawing.ts';
@@ -197,14 +197,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
             }}
             onLook={(name, look) => change({ looks: withLook(latest.current.options.looks, name, look) })}
             onDetails={(topic) => inspect({ topic, hit: null })}
-            images={pictures.map((topic) => ({
-              topic,
-              on: options.images.some((image) => image.topic === topic),
-              set: (on) => {
-                const others = options.images.filter((image) => image.topic !== topic);
-                change({ images: [...others, ...(on ? [{ topic, size: 'small' as const }] : [])].slice(-kMostImages) });
-              },
-            }))}
+            pictures={{ topics: pictures, images: options.images, set: (images) => change({ images }) }}
           />
         ) : null}
         <div class="scene-stage">

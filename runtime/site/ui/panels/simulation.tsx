@@ -4,7 +4,6 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { kUsualView } from '../model/camera_view.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
-import { kMostImages } from '../model/scene_options.ts';
 import { freeName, kSimShapeHeight, kSimShapes, sdfOf } from '../model/sim_shapes.ts';
 import type { SimShape } from '../model/sim_shapes.ts';
 import { modelOf } from '../model/sim_world.ts';
@@ -219,14 +218,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
             remove={remove}
             flags={options.flags}
             setFlag={(flag, on) => change({ flags: { ...latest.current.options.flags, [flag]: on } })}
-            images={pictures.map((topic) => ({
-              topic,
-              on: options.images.some((image) => image.topic === topic),
-              set: (on) => {
-                const others = options.images.filter((image) => image.topic !== topic);
-                change({ images: [...others, ...(on ? [{ topic, size: 'small' as const }] : [])].slice(-kMostImages) });
-              },
-            }))}
+            pictures={{ topics: pictures, images: options.images, set: (images) => change({ images }) }}
           />
         ) : null}
         <div class="scene-stage">

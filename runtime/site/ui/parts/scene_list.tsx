@@ -8,6 +8,8 @@ import { sceneTexts } from '../texts_scene.ts';
 import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
 import { Name } from './name.tsx';
+import { PictureChoice } from './picture_choice.tsx';
+import type { PictureChoiceProps } from './picture_choice.tsx';
 import { SceneSettings } from './scene_settings.tsx';
 import type { LookChange } from './scene_settings.tsx';
 
@@ -31,13 +33,13 @@ export interface SceneListProps {
   readonly onRow: (name: string, on: boolean) => void;
   readonly onLook: (name: string, change: LookChange) => void;
   readonly onDetails: (name: string) => void;
-  readonly images: readonly { readonly topic: string; readonly on: boolean; readonly set: (on: boolean) => void }[];
+  readonly pictures: PictureChoiceProps;
   readonly note: string;
 }
 
 const kKeeps: readonly number[] = [1, 10, 100, 1000];
 
-export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails, images, note }: SceneListProps) {
+export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails, pictures, note }: SceneListProps) {
   const [opened, open] = useState('');
   return (
     <div class="scene-list" role="group" aria-label={panelTexts.scene.list}>
@@ -105,17 +107,7 @@ export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails,
         ))}
       </ul>
       {rows.length === 0 ? <p class="hint">{panelTexts.scene.noTopics}</p> : null}
-      {images.length === 0 ? null : (
-        <fieldset class="scene-pictures">
-          <legend>{sceneTexts.images}</legend>
-          {images.map(({ topic, on, set }) => (
-            <label class="check" key={topic}>
-              <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />
-              <span class="scene-topic"><Name text={topic} /></span>
-            </label>
-          ))}
-        </fieldset>
-      )}
+      <PictureChoice {...pictures} />
     </div>
   );
 }

@@ -5,10 +5,11 @@ import { linkOf } from '../model/sim_world.ts';
 import type { ModelEntity } from '../model/sim_world.ts';
 import { kSimFlags } from '../model/simulation_options.ts';
 import type { SimFlag } from '../model/simulation_options.ts';
-import { sceneTexts } from '../texts_scene.ts';
 import { simulationTexts } from '../texts_simulation.ts';
 import { Icon } from './icon.tsx';
 import { Name } from './name.tsx';
+import { PictureChoice } from './picture_choice.tsx';
+import type { PictureChoiceProps } from './picture_choice.tsx';
 
 const kMostRows = 200;
 
@@ -21,10 +22,10 @@ export interface SimulationListProps {
   readonly remove: () => void;
   readonly flags: Readonly<Record<SimFlag, boolean>>;
   readonly setFlag: (flag: SimFlag, on: boolean) => void;
-  readonly images: readonly { readonly topic: string; readonly on: boolean; readonly set: (on: boolean) => void }[];
+  readonly pictures: PictureChoiceProps;
 }
 
-export function SimulationList({ models, selected, select, remove, flags, setFlag, images }: SimulationListProps) {
+export function SimulationList({ models, selected, select, remove, flags, setFlag, pictures }: SimulationListProps) {
   const [opened, open] = useState<ReadonlySet<string>>(new Set());
   const toggle = (name: string): void => {
     const next = new Set(opened);
@@ -85,17 +86,7 @@ export function SimulationList({ models, selected, select, remove, flags, setFla
           </label>
         ))}
       </fieldset>
-      {images.length === 0 ? null : (
-        <fieldset class="scene-pictures">
-          <legend>{sceneTexts.images}</legend>
-          {images.map(({ topic, on, set }) => (
-            <label class="check" key={topic}>
-              <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />
-              <span class="scene-topic"><Name text={topic} /></span>
-            </label>
-          ))}
-        </fieldset>
-      )}
+      <PictureChoice {...pictures} />
     </div>
   );
 }

@@ -14,6 +14,7 @@ import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
 import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
 import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
+import { useFocus } from './parts/use_focus.ts';
 import { useLoaded } from './parts/use_loaded.ts';
 import { useLayout } from './parts/use_layout.ts';
 import { useNodes, useMedia } from './parts/watch.ts';
@@ -39,6 +40,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   const [aboutOpen, setAboutOpen] = useState(false);
   const [said, setSaid] = useState('');
   const announce = useCallback((text: string) => setSaid(text), []);
+  const giveFocus = useFocus();
   const control = useLayout(session, embed === null ? store : null, wide || narrow, narrow, announce, embed);
   useEmbedHost(embed, session, store);
   useEmbedTheme(embed, store, session.site.ui['theme']);
@@ -94,7 +96,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   const toConsole = (event: Event): void => {
     event.preventDefault();
     open(null, 'console');
-    requestAnimationFrame(() => document.getElementById('panel-console')?.focus());
+    giveFocus('panel-console');
   };
 
   return (

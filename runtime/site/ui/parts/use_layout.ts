@@ -18,6 +18,7 @@ import type { Store } from '../model/preferences.ts';
 import { panelRow, usualLayout } from '../panels/index.ts';
 import { texts } from '../texts.ts';
 import { changedFiles } from './source_links.ts';
+import { useFocus } from './use_focus.ts';
 
 export interface LayoutControl {
   readonly site: SiteDescription;
@@ -83,6 +84,7 @@ export function useLayout(
   const latest = useRef(layout);
   latest.current = layout;
   const { notice, dismiss } = useLinkNotice(session, embed, setChosen);
+  const focus = useFocus();
 
   const change = useCallback(
     (next: (layout: Layout) => Layout): void => {
@@ -103,6 +105,7 @@ export function useLayout(
   );
 
   return useMemo<LayoutControl>(() => {
+    const focusTab = (key: string): void => focus(`tab-${key}`);
     const reveal = (key: string): void => change((now) => layouts.reveal(now, key));
     return {
       site: session.site,
@@ -190,7 +193,7 @@ export function useLayout(
       },
       whole: () => wholeAddress(location.href, JSON.stringify(writeLayout(latest.current))),
     };
-  }, [session, layout, notice, large, narrow, change, announce]);
+  }, [session, layout, notice, large, narrow, change, announce, focus]);
 }
 
 const kNothing: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
@@ -273,8 +276,4 @@ function useLinkNotice(
     };
   }, []);
   return { notice, dismiss: () => setNotice('') };
-}
-
-function focusTab(key: string): void {
-  requestAnimationFrame(() => document.getElementById(`tab-${key}`)?.focus());
 }

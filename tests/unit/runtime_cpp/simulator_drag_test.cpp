@@ -2,6 +2,7 @@
 // that velocity.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -45,14 +46,32 @@ World world_of(Model model, double step) {
   return world;
 }
 
-void run(Simulation& simulation, Drag& drag, double seconds, const Vector3* target) {
-  const auto steps = static_cast<int>(seconds / simulation.physics().step_size() + 0.5);
-  for (int i = 0; i < steps; ++i) {
-    if (target != nullptr) drag.move(*target);
-    drag.act();
-    simulation.step();
+/// The hand of a visitor, whose time is the test's.
+struct Hand {
+  explicit Hand(Simulation& world) : simulation(world), drag(world, [this] { return now_ns; }) {}
+
+  /// The world runs `pace` times as fast as the visitor's time.
+  void wait(double seconds, double pace = 1) {
+    const double step = simulation.physics().step_size();
+    const auto steps = static_cast<int>(seconds / step + 0.5);
+    for (int i = 0; i < steps; ++i) {
+      drag.act();
+      simulation.step();
+      now_ns += static_cast<std::int64_t>(step / pace * 1e9);
+    }
   }
-}
+  void hold(const Vector3& point, const Vector3& target, double seconds) {
+    for (double passed = 0; passed < seconds; passed += 0.2) {
+      ASSERT_TRUE(drag.hold("box", "link", point, target));
+      wait(0.2);
+    }
+  }
+  Pose box() { return simulation.physics().pose(simulation.physics().link("box", "link")); }
+
+  Simulation& simulation;
+  std::int64_t now_ns = 0;
+  Drag drag;
+};
 
 TEST(SimulatorDrag, HoldsABoxInTheAirAtItsCentre) {
   for (const double step : {0.001, 0.01})
@@ -60,12 +79,10 @@ TEST(SimulatorDrag, HoldsABoxInTheAirAtItsCentre) {
       NoPlugins plugins;
       Simulation simulation(world_of(cube("box", mass, {0, 0, 0.1}), step), make_physics({}),
                             plugins);
-      Drag drag(simulation);
+      Hand hand(simulation);
       const Vector3 target{0.5, -0.3, 1};
-      ASSERT_TRUE(drag.hold("box", "link", {}, target));
-      run(simulation, drag, 3, &target);
-      const LinkHandle box = simulation.physics().link("box", "link");
-      EXPECT_LT(length(simulation.physics().pose(box).position - target), 0.001)
+      hand.hold({}, target, 3);
+      EXPECT_LT(length(hand.box().position - target), 0.001)
           << "mass " << mass << ", step " << step;
     }
 }
@@ -73,13 +90,11 @@ TEST(SimulatorDrag, HoldsABoxInTheAirAtItsCentre) {
 TEST(SimulatorDrag, HeldByItsCornerABoxHangsBelowTheHand) {
   NoPlugins plugins;
   Simulation simulation(world_of(cube("box", 1, {0, 0, 0.1}), 0.001), make_physics({}), plugins);
-  Drag drag(simulation);
+  Hand hand(simulation);
   const Vector3 target{0, 0, 2};
   const Vector3 corner{0.1, 0.1, 0.1};
-  ASSERT_TRUE(drag.hold("box", "link", corner, target));
-  run(simulation, drag, 4, &target);
-  const LinkHandle box = simulation.physics().link("box", "link");
-  const Pose pose = simulation.physics().pose(box);
+  hand.hold(corner, target, 4);
+  const Pose pose = hand.box();
   // The hand carries the weight, so the point that it holds is where the hand is.
   EXPECT_LT(length(pose.position + rotate(pose.orientation, corner) - target), 0.05);
   EXPECT_LT(pose.position.z, target.z);
@@ -88,17 +103,32 @@ TEST(SimulatorDrag, HeldByItsCornerABoxHangsBelowTheHand) {
 TEST(SimulatorDrag, LetsGoByItselfAfterASecond) {
   NoPlugins plugins;
   Simulation simulation(world_of(cube("box", 1, {0, 0, 0.1}), 0.001), make_physics({}), plugins);
-  Drag drag(simulation);
-  ASSERT_TRUE(drag.hold("box", "link", {}, {0, 0, 2}));
-  run(simulation, drag, 4, nullptr);
-  const LinkHandle box = simulation.physics().link("box", "link");
-  EXPECT_NEAR(simulation.physics().pose(box).position.z, 0.1, 0.001);
+  Hand hand(simulation);
+  ASSERT_TRUE(hand.drag.hold("box", "link", {}, {0, 0, 2}));
+  hand.wait(4);
+  EXPECT_NEAR(hand.box().position.z, 0.1, 0.001);
+  // A late word of the same hand takes it up again.
+  hand.hold({}, {0, 0, 2}, 3);
+  EXPECT_NEAR(hand.box().position.z, 2, 0.001);
+}
+
+TEST(SimulatorDrag, HoldsForASecondOfTheVisitorAlsoInAFastWorld) {
+  NoPlugins plugins;
+  Simulation simulation(world_of(cube("box", 1, {0, 0, 0.1}), 0.001), make_physics({}), plugins);
+  Hand hand(simulation);
+  ASSERT_TRUE(hand.drag.hold("box", "link", {}, {0, 0, 2}));
+  hand.wait(10, 20);
+  EXPECT_NEAR(hand.box().position.z, 2, 0.001);
+  ASSERT_TRUE(hand.drag.hold("box", "link", {}, {0, 0, 2}));
+  hand.drag.release();
+  hand.wait(2, 20);
+  EXPECT_NEAR(hand.box().position.z, 0.1, 0.001);
 }
 
 TEST(SimulatorDrag, APushChangesTheVelocityByWhatItSays) {
   NoPlugins plugins;
   Simulation simulation(world_of(cube("box", 3, {0, 0, 5}), 0.001), make_physics({}), plugins);
-  Drag drag(simulation);
+  Drag drag(simulation, [] { return 0; });
   ASSERT_TRUE(drag.push("box", "link", {}, {0.7, 0, 0}));
   simulation.step();
   const LinkHandle box = simulation.physics().link("box", "link");
@@ -110,7 +140,7 @@ TEST(SimulatorDrag, APushChangesTheVelocityByWhatItSays) {
 TEST(SimulatorDrag, HoldsNothingThatDoesNotMove) {
   NoPlugins plugins;
   Simulation simulation(world_of(cube("box", 1, {0, 0, 0.1}), 0.001), make_physics({}), plugins);
-  Drag drag(simulation);
+  Drag drag(simulation, [] { return 0; });
   EXPECT_FALSE(drag.hold("ground", "link", {}, {0, 0, 1}));
   EXPECT_FALSE(drag.hold("box", "arm", {}, {0, 0, 1}));
   EXPECT_FALSE(drag.push("nobody", "link", {}, {1, 0, 0}));

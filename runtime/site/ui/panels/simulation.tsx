@@ -242,7 +242,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
               moves={world.moves(main)}
               follows={options.follow === main}
               follow={() => change({ follow: options.follow === main ? '' : main, view: { ...latest.current.options.view, target: [0, 0, 0] } })}
-              push={() => client?.push(main, [0, 0, 0], away())}
+              push={client === null ? null : () => client.push(main, [0, 0, 0], away())}
               remove={remove}
             />
           ) : problems.length > 0 ? <SceneTroubles troubles={problems} /> : null}

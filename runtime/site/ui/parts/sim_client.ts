@@ -10,7 +10,7 @@ import type { Vector } from '../model/transform.ts';
 const kFeedback = 'visualization_msgs/msg/InteractiveMarkerFeedback';
 const kHand = '/_gz/hand';
 /** As visualization_msgs/msg/InteractiveMarkerFeedback numbers them. */
-const Event = { draw: 1, push: 3, hold: 4, letGo: 5 } as const;
+const Event = { hold: 1, push: 3, letGo: 5 } as const;
 /** As ros_gz_interfaces/msg/Entity numbers them. */
 const kModel = 2;
 
@@ -58,13 +58,9 @@ export class SimClient {
     return this.call('remove', 'ros_gz_interfaces/srv/DeleteEntity', { entity: { name, type: kModel } });
   }
 
-  /** `point` is in the link, `target` in the world. */
+  /** Draws `point`, in the link, to `target`, in the world. Said again as long as it is held: the hand lets go after a second. */
   hold(frame: string, point: Vector, target: Vector): void {
     this.feed(Event.hold, frame, point, target);
-  }
-
-  draw(frame: string, target: Vector): void {
-    this.feed(Event.draw, frame, [0, 0, 0], target);
   }
 
   letGo(frame: string): void {

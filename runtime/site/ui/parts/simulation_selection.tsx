@@ -14,7 +14,8 @@ export interface SimulationSelectionProps {
   readonly moves: boolean;
   readonly follows: boolean;
   readonly follow: () => void;
-  readonly push: () => void;
+  /** null: the simulator cannot be asked yet. */
+  readonly push: (() => void) | null;
   readonly remove: () => void;
 }
 
@@ -25,7 +26,7 @@ export function SimulationSelection({ name, place, moves, follows, follow, push,
       <div class="simulation-selection-head">
         <strong class="simulation-name"><Name text={name} /></strong>
         <IconButton icon="target" label={simulationTexts.follow(name)} words={words.follow} pressed={follows} onClick={follow} />
-        {moves ? <IconButton icon="push" label={simulationTexts.pushOne(name)} words={words.push} onClick={push} /> : null}
+        {moves ? <IconButton icon="push" label={simulationTexts.pushOne(name)} words={words.push} disabled={push === null} onClick={() => push?.()} /> : null}
         <IconButton icon="clear" label={simulationTexts.remove(modelOf(name))} words={words.remove} onClick={remove} />
       </div>
       {place === undefined ? null : (

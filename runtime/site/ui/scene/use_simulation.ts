@@ -70,7 +70,7 @@ const kContactsTopic = '/_gz/contacts';
 const kPosesTopic = '/_gz/poses';
 const kStatsTopic = '/_gz/stats';
 const kPausedTopic = '/_gz/paused';
-/** A hand that is not heard of for a second lets go. */
+/** The hand says again that it holds; the simulator lets go of what it has not heard of for a second. */
 const kHandMs = 200;
 /** Lines of the grid stand this much above a floor at 0, in metres. */
 const kGridHeight = 0.01;
@@ -131,13 +131,13 @@ export function useSimulation(use: SimulationUse): Simulated {
       const { frame, local, place } = pressed;
       hand.current = { frame, local, target: place };
       client.hold(frame, local, place);
-      const beat = setInterval(() => client.draw(frame, hand.current?.target ?? place), kHandMs);
+      const beat = setInterval(() => client.hold(frame, local, hand.current?.target ?? place), kHandMs);
       return {
         move(toX, toY) {
           const target = made.stage.besideAt(toX, toY, place);
           if (target === null) return;
           hand.current = { frame, local, target };
-          client.draw(frame, target);
+          client.hold(frame, local, target);
           made.stage.draw();
         },
         end() {

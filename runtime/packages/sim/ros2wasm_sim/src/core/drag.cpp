@@ -41,7 +41,7 @@ std::optional<Drag::Held> Drag::grip(const std::string& model, const std::string
   held.link = handle;
   held.point = point;
   held.mass = rigid_mass(*described, link);
-  held.until_ns = simulation_.time_ns() + kPatienceNs;
+  held.until_ns = now_ns_() + kPatienceNs;
   return held;
 }
 
@@ -50,12 +50,6 @@ bool Drag::hold(const std::string& model, const std::string& link, const Vector3
   held_ = grip(model, link, point);
   if (held_) held_->target = target;
   return held_.has_value();
-}
-
-void Drag::move(const Vector3& target) {
-  if (!held_) return;
-  held_->target = target;
-  held_->until_ns = simulation_.time_ns() + kPatienceNs;
 }
 
 bool Drag::push(const std::string& model, const std::string& link, const Vector3& point,
@@ -72,7 +66,7 @@ bool Drag::push(const std::string& model, const std::string& link, const Vector3
 
 void Drag::act() {
   if (!held_) return;
-  if (simulation_.time_ns() > held_->until_ns) return release();
+  if (now_ns_() > held_->until_ns) return release();
   Physics& physics = simulation_.physics();
   const Pose pose = physics.pose(held_->link);
   const Vector3 arm = rotate(pose.orientation, held_->point);

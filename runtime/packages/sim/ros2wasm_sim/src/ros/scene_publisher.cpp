@@ -39,7 +39,10 @@ Vector3 vector_of(const geometry_msgs::msg::Point& point) {
 }  // namespace
 
 ScenePublisher::ScenePublisher(Host& host, Simulation& simulation, Runner& runner)
-    : host_(host), simulation_(simulation), runner_(runner), drag_(simulation) {
+    : host_(host),
+      simulation_(simulation),
+      runner_(runner),
+      drag_(simulation, [this] { return clock_.now().nanoseconds(); }) {
   rclcpp::Node& node = *host_.node();
   const rclcpp::QoS latched = rclcpp::QoS(1).transient_local();
   using visualization_msgs::msg::MarkerArray;
@@ -194,11 +197,8 @@ void ScenePublisher::take(const InteractiveMarkerFeedback& feedback) {
   const Vector3 target = vector_of(feedback.mouse_point);
   if (!std::isfinite(length(point)) || !std::isfinite(length(target))) return;
   switch (feedback.event_type) {
-    case InteractiveMarkerFeedback::MOUSE_DOWN:
-      drag_.hold(model, link, point, target);
-      break;
     case InteractiveMarkerFeedback::POSE_UPDATE:
-      drag_.move(target);
+      drag_.hold(model, link, point, target);
       break;
     case InteractiveMarkerFeedback::MOUSE_UP:
       drag_.release();

@@ -18,6 +18,7 @@ CommandBody init_command(Arguments& arguments);
 CommandBody compile_source_command(Arguments& arguments);
 CommandBody launch_command(Arguments& arguments);
 CommandBody describe_compiler_command(Arguments& arguments);
+CommandBody install_kits_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
@@ -91,6 +92,10 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "compile-source",
      .help = "Compile one source (called by CMake)",
      .declare = compile_source_command,
+     .hidden = true},
+    {.name = "install-kits",
+     .help = "Install how programs are linked (called where a channel is made)",
+     .declare = install_kits_command,
      .hidden = true},
     {.name = "link-program",
      .help = "Link one program (called by CMake)",

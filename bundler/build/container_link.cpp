@@ -19,7 +19,7 @@ bool is_main(const std::string& argument) {
 }
 
 Outcome<LinkKit> kit_of(const BuiltPackage& package, const std::string& container) {
-  auto kits = program_kits(package.prefix);
+  auto kits = program_kits(package.prefix, package.name);
   if (!kits) return std::move(kits).errors();
   for (LinkKit& kit : *kits)
     if (kit.name == container) return std::move(kit);
@@ -55,16 +55,18 @@ Outcome<fs::path> link_container(const std::string& container, const std::string
       if (first == nullptr || !is_main(argument)) all.arguments.push_back(std::move(argument));
     if (first == nullptr) first = &*package;
   }
-  const auto libraries = plugin_libraries(built);
+  const std::vector<BuiltPackage> with_channels = with_channel_packages(built, settings);
+  const auto libraries = plugin_libraries(with_channels);
   if (!libraries) return libraries.errors();
   std::vector<const PluginLibrary*> plugins;
-  if (loads_plugins(all.arguments)) plugins = plugins_for(component_packages, packages, *libraries);
+  if (loads_plugins(all.arguments))
+    plugins = plugins_for(component_packages, packages, settings, *libraries);
   for (const PluginLibrary* one : plugins)
     hash.add(one->package->name, one->package->hash).add(one->kit.base, one->kit.name);
   return link_again({.package = *first,
                      .program = program,
                      .hash = hash.finish(),
-                     .arguments = arguments_with_plugins(all, plugins, built)},
+                     .arguments = arguments_with_plugins(all, plugins, with_channels)},
                     tools, settings.cache, cancellation, progress);
 }
 

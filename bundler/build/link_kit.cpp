@@ -1,9 +1,11 @@
 // See link_kit.hpp. In a kit lies the file `arguments`, one a line, beside the copies. The folder
 // of a base class's package has the file `named`, which CMake writes when it configures
-// (pluginlib's package hook): the names of the kits, one a line.
+// (pluginlib's package hook): the names of the kits, one a line. In a package of a channel a kit
+// names what is installed too by its place in the prefix.
 #include "bundler/build/link_kit.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 #include "bundler/io/files.hpp"
@@ -14,12 +16,13 @@ namespace {
 
 constexpr std::string_view kPluginsOf = "--ros2wasm-plugins-of=";
 constexpr std::string_view kPluginLibrary = "libpluginlib.a";
-constexpr const char* kInstalled = "link_kits";  // in a prefix
+constexpr const char* kInstalled = "link_kits";  // in a prefix: a folder for each package
 constexpr const char* kPrograms = "programs";
 constexpr const char* kPlugins = "plugins";
 constexpr const char* kArguments = "arguments";
 constexpr const char* kNamed = "named";
-constexpr std::string_view kOfKit = "kit:";  // before the name of a copy
+constexpr std::string_view kOfKit = "kit:";        // before the name of a copy
+constexpr std::string_view kOfPrefix = "prefix:";  // before the place of an installed file
 
 fs::path index_entry(const std::string& base, const std::string& package) {
   return fs::path("share/ament_index/resource_index") / (base + "__pluginlib__plugin") / package;
@@ -43,14 +46,26 @@ Outcome<std::string> kept_argument(const std::string& argument, std::size_t inde
   return std::string(kOfKit) + name;
 }
 
-Outcome<LinkKit> read_kit(const fs::path& folder) {
-  const auto text = read_file(folder / kArguments, kMostOfData);
+Outcome<std::vector<std::string>> lines_of(const fs::path& file) {
+  const auto text = read_file(file, kMostOfData);
   if (!text) return text.errors();
-  LinkKit kit{.name = folder.filename().string(), .base = {}, .arguments = {}};
+  std::vector<std::string> result;
   std::istringstream lines(*text);
-  for (std::string line; std::getline(lines, line);) {
-    const bool is_copy = line.starts_with(kOfKit);
-    kit.arguments.push_back(is_copy ? (folder / line.substr(kOfKit.size())).string() : line);
+  for (std::string line; std::getline(lines, line);) result.push_back(line);
+  return result;
+}
+
+Outcome<LinkKit> read_kit(const fs::path& folder, const fs::path& prefix) {
+  const auto lines = lines_of(folder / kArguments);
+  if (!lines) return lines.errors();
+  LinkKit kit{.name = folder.filename().string(), .base = {}, .arguments = {}};
+  for (const std::string& line : *lines) {
+    if (line.starts_with(kOfKit))
+      kit.arguments.push_back((folder / line.substr(kOfKit.size())).string());
+    else if (line.starts_with(kOfPrefix))
+      kit.arguments.push_back((prefix / line.substr(kOfPrefix.size())).string());
+    else
+      kit.arguments.push_back(line);
   }
   return kit;
 }
@@ -64,10 +79,10 @@ std::vector<fs::path> folders_in(const fs::path& parent) {
   return result;
 }
 
-Outcome<std::vector<LinkKit>> kits_in(const fs::path& folder) {
+Outcome<std::vector<LinkKit>> kits_in(const fs::path& folder, const fs::path& prefix) {
   std::vector<LinkKit> result;
   for (const fs::path& one : folders_in(folder)) {
-    auto kit = read_kit(one);
+    auto kit = read_kit(one, prefix);
     if (!kit) return std::move(kit).errors();
     result.push_back(std::move(*kit));
   }
@@ -84,6 +99,64 @@ Outcome<Done> install_kit(const fs::path& from, const fs::path& to) {
   return Done{};
 }
 
+bool have_same_bytes(const fs::path& one, const fs::path& other) {
+  std::error_code error;
+  if (fs::file_size(one, error) != fs::file_size(other, error) || error) return false;
+  const auto first = read_file(one, kMostOfData);
+  const auto second = read_file(other, kMostOfData);
+  return first && second && *first == *second;
+}
+
+/// An argument of a kit as it stands in a package of a channel.
+Outcome<std::string> movable_argument(const std::string& argument, const fs::path& kit,
+                                      const fs::path& prefix, const fs::path& environment) {
+  if (argument.starts_with(kOfKit)) {
+    const fs::path copy = kit / argument.substr(kOfKit.size());
+    const fs::path installed = fs::path("lib") / copy.filename();
+    if (have_same_bytes(copy, prefix / installed))
+      return std::string(kOfPrefix) + installed.string();
+    return argument;
+  }
+  if (!fs::path(argument).is_absolute()) return argument;
+  const fs::path below = fs::path(argument).lexically_relative(environment);
+  if (below.empty() || *below.begin() == "..")
+    return Diagnostic{.code = "R2W0505",
+                      .message = "the program `" + kit.filename().string() +
+                                 "` cannot be linked elsewhere with more plugins",
+                      .why = {"it is linked with " + argument + ", which is in no package"}};
+  return std::string(kOfPrefix) + below.string();
+}
+
+Outcome<Done> install_movable_kit(const fs::path& from, const fs::path& to, const fs::path& prefix,
+                                  const fs::path& environment) {
+  const auto lines = lines_of(from / kArguments);
+  if (!lines) return lines.errors();
+  std::string text;
+  for (const std::string& line : *lines) {
+    const auto argument = movable_argument(line, from, prefix, environment);
+    if (!argument) return argument.errors();
+    text += *argument + "\n";
+    if (!argument->starts_with(kOfKit)) continue;
+    const std::string copy = argument->substr(kOfKit.size());
+    if (auto done = copied(from / copy, to / copy); !done) return done;
+  }
+  return write_file(to / kArguments, text);
+}
+
+using InstallKit = std::function<Outcome<Done>(const fs::path& from, const fs::path& to)>;
+
+Outcome<Done> install_program_kits(const fs::path& kits, const fs::path& prefix,
+                                   const std::string& package, const InstallKit& install) {
+  std::error_code error;
+  for (const fs::path& kit : folders_in(kits / kPrograms)) {
+    const std::string file = kit.filename().string() + ".wasm";
+    if (!fs::exists(prefix / "lib" / package / file, error)) continue;
+    const fs::path to = prefix / kInstalled / package / kPrograms / kit.filename();
+    if (auto done = install(kit, to); !done) return done;
+  }
+  return Done{};
+}
+
 /// As rclcpp_components makes them for each package (its package hook).
 bool is_container(const LinkLine& line) {
   const std::string name = fs::path(line.output).stem().string();
@@ -93,12 +166,22 @@ bool is_container(const LinkLine& line) {
 
 /// A kit may be left from a time when the sources said otherwise: only what is named counts.
 Outcome<std::vector<std::string>> named_kits(const fs::path& folder) {
-  const auto text = read_file(folder / kNamed, kMostOfData);
-  if (!text) return text.errors();
-  std::vector<std::string> result;
-  std::istringstream lines(*text);
-  for (std::string line; std::getline(lines, line);) result.push_back(line);
-  return result;
+  return lines_of(folder / kNamed);
+}
+
+Outcome<Done> install_plugin_kits(const fs::path& kits, const fs::path& prefix,
+                                  const std::string& package, const InstallKit& install) {
+  std::error_code error;
+  for (const fs::path& base : folders_in(kits / kPlugins)) {
+    if (!fs::exists(prefix / index_entry(base.filename().string(), package), error)) continue;
+    const auto names = named_kits(base);
+    if (!names) return names.errors();
+    for (const std::string& name : *names) {
+      const fs::path to = prefix / kInstalled / package / kPlugins / base.filename() / name;
+      if (auto done = install(base / name, to); !done) return done;
+    }
+  }
+  return Done{};
 }
 
 }  // namespace
@@ -133,33 +216,39 @@ Outcome<Done> keep_link_kit(const fs::path& kits, const LinkLine& line) {
 
 Outcome<Done> install_link_kits(const fs::path& kits, const fs::path& prefix,
                                 const std::string& package) {
-  std::error_code error;
-  for (const fs::path& kit : folders_in(kits / kPrograms)) {
-    const std::string file = kit.filename().string() + ".wasm";
-    if (!fs::exists(prefix / "lib" / package / file, error)) continue;
-    const fs::path to = prefix / kInstalled / kPrograms / kit.filename();
-    if (auto done = install_kit(kit, to); !done) return done;
-  }
-  for (const fs::path& base : folders_in(kits / kPlugins)) {
-    if (!fs::exists(prefix / index_entry(base.filename().string(), package), error)) continue;
-    const auto names = named_kits(base);
-    if (!names) return names.errors();
-    for (const std::string& name : *names) {
-      const fs::path to = prefix / kInstalled / kPlugins / base.filename() / name;
-      if (auto done = install_kit(base / name, to); !done) return done;
-    }
-  }
-  return Done{};
+  if (auto done = install_program_kits(kits, prefix, package, install_kit); !done) return done;
+  return install_plugin_kits(kits, prefix, package, install_kit);
 }
 
-Outcome<std::vector<LinkKit>> program_kits(const fs::path& prefix) {
-  return kits_in(prefix / kInstalled / kPrograms);
+Outcome<Done> install_movable_kits(const fs::path& kits, const fs::path& prefix,
+                                   const std::string& package, const fs::path& environment) {
+  const InstallKit install = [&](const fs::path& from, const fs::path& to) {
+    return install_movable_kit(from, to, prefix, environment);
+  };
+  const InstallKit install_program = [&](const fs::path& from, const fs::path& to) {
+    const auto arguments = lines_of(from / kArguments);
+    if (!arguments) return Outcome<Done>(arguments.errors());
+    return loads_plugins(*arguments) ? install(from, to) : Outcome<Done>(Done{});
+  };
+  if (auto done = install_program_kits(kits, prefix, package, install_program); !done) return done;
+  return install_plugin_kits(kits, prefix, package, install);
 }
 
-Outcome<std::vector<LinkKit>> plugin_kits(const fs::path& prefix) {
+std::vector<std::string> packages_with_kits(const fs::path& prefix) {
+  std::vector<std::string> result;
+  for (const fs::path& one : folders_in(prefix / kInstalled))
+    result.push_back(one.filename().string());
+  return result;
+}
+
+Outcome<std::vector<LinkKit>> program_kits(const fs::path& prefix, const std::string& package) {
+  return kits_in(prefix / kInstalled / package / kPrograms, prefix);
+}
+
+Outcome<std::vector<LinkKit>> plugin_kits(const fs::path& prefix, const std::string& package) {
   std::vector<LinkKit> result;
-  for (const fs::path& base : folders_in(prefix / kInstalled / kPlugins)) {
-    auto kits = kits_in(base);
+  for (const fs::path& base : folders_in(prefix / kInstalled / package / kPlugins)) {
+    auto kits = kits_in(base, prefix);
     if (!kits) return std::move(kits).errors();
     for (LinkKit& kit : *kits) {
       kit.base = base.filename().string();

@@ -33,14 +33,27 @@ inline constexpr const char* kLinkKitsVariable = "ROS2WASM_LINK_KITS";
                                               const std::filesystem::path& prefix,
                                               const std::string& package);
 
+/// The same for a package of a channel, which is unpacked elsewhere, beside those of `environment`
+/// that it was built with: its kits name their files by the place in a prefix. Containers of
+/// components have none. R2W0505 also when a program needs a file that is in no package.
+[[nodiscard]] Outcome<Done> install_movable_kits(const std::filesystem::path& kits,
+                                                 const std::filesystem::path& prefix,
+                                                 const std::string& package,
+                                                 const std::filesystem::path& environment);
+
 struct LinkKit {
   std::string name;                    ///< of the program, or of the library's kit
   std::string base;                    ///< the package of the base class, of plugins
   std::vector<std::string> arguments;  ///< after the compiler, without -o
 };
 
-/// The kits of the package that is installed in `prefix`, sorted by base and name.
-[[nodiscard]] Outcome<std::vector<LinkKit>> program_kits(const std::filesystem::path& prefix);
-[[nodiscard]] Outcome<std::vector<LinkKit>> plugin_kits(const std::filesystem::path& prefix);
+/// The packages in `prefix` that have kits, sorted.
+[[nodiscard]] std::vector<std::string> packages_with_kits(const std::filesystem::path& prefix);
+
+/// The kits of a package that is installed in `prefix`, sorted by base and name.
+[[nodiscard]] Outcome<std::vector<LinkKit>> program_kits(const std::filesystem::path& prefix,
+                                                         const std::string& package);
+[[nodiscard]] Outcome<std::vector<LinkKit>> plugin_kits(const std::filesystem::path& prefix,
+                                                        const std::string& package);
 
 }  // namespace ros2wasm

@@ -1,5 +1,6 @@
 // Links the programs that load plugins (pluginlib) once more when all packages are built: with the
 // libraries whose descriptions name a base class of the program's package, or of one that it needs.
+// Programs of the channels too, such as ros2_control_node, when the workspace has plugins for them.
 #pragma once
 
 #include <filesystem>
@@ -25,14 +26,19 @@ struct PluginLibrary {
     const LinkKit& program, const std::vector<const PluginLibrary*>& plugins,
     const std::vector<BuiltPackage>& built);
 
+/// The workspace's packages, and those of the channels that have kits.
+[[nodiscard]] std::vector<BuiltPackage> with_channel_packages(
+    const std::vector<BuiltPackage>& built, const BuildSettings& settings);
+
 /// All libraries of plugins in the packages; these must outlive the result.
 [[nodiscard]] Outcome<std::vector<PluginLibrary>> plugin_libraries(
     const std::vector<BuiltPackage>& built);
 
-/// Those whose base class is of one of the packages named, or of one that these need.
+/// Those whose base class is of one of the packages named, or of one that these need. What packages
+/// of the channels need, their package.xml in the environment says.
 [[nodiscard]] std::vector<const PluginLibrary*> plugins_for(
     const std::vector<std::string>& names, const std::vector<LocalPackage>& packages,
-    const std::vector<PluginLibrary>& libraries);
+    const BuildSettings& settings, const std::vector<PluginLibrary>& libraries);
 
 /// The program with its plugins, by the one without. Each is kept in the cache under the hash of
 /// what it is linked from. R2W0504 and R2W0505 as for any program.

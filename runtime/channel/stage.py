@@ -55,6 +55,9 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
     for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH"):
         environment.pop(name, None)
     # Caches the answers of the compiler's driver, so that it is not started for each source and program.
+    # How programs that load plugins are linked, so that they can be linked again with a workspace's plugins.
+    kits = workshop.folder / "link-kits" / package.name
+    environment["ROS2WASM_LINK_KITS"] = str(kits)
     environment["ROS2WASM_TOOL_CALLS"] = str(workshop.folder / "tool-calls")
     steps = [
         ["cmake", "-G", "Ninja", "-Wno-dev", "-S", str(package.folder), "-B", str(build),
@@ -67,6 +70,8 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
         # More than one process only while other packages leave cores idle.
         ["cmake", "--build", str(build), "--", f"-j{workshop.jobs}", f"-l{workshop.jobs}"],
         ["cmake", "--install", str(build), "--prefix", str(tree)],
+        [str(workshop.cli), "install-kits", "--package", package.name, "--kits", str(kits), "--tree", str(tree),
+         "--environment", str(workshop.prefix)],
     ]
     shutil.rmtree(tree, ignore_errors=True)
     # Only into an empty cache CMake reads the flags of the toolchain file, which may have changed.

@@ -46,7 +46,7 @@ TEST_F(LinkKitTest, AProgramThatLoadsPluginsHasCopiesOfWhatWasBuilt) {
   tree_.write("run.o", "object");
   ASSERT_TRUE(keep("run.js", {"run.o", "/elsewhere/libpluginlib.a", "-O2"}).ok());
   fs::remove(tree_ / "run.o");
-  const auto kits = program_kits(installed("one", {}));
+  const auto kits = program_kits(installed("one", {}), "demo");
   ASSERT_TRUE(kits);
   ASSERT_EQ(kits->size(), 1U);
   EXPECT_EQ(kits->front().name, "run");
@@ -61,14 +61,14 @@ TEST_F(LinkKitTest, AProgramThatLoadsPluginsNoMoreHasNoKit) {
   tree_.write("run.o", "object");
   ASSERT_TRUE(keep("run.js", {"run.o", "/elsewhere/libpluginlib.a"}).ok());
   ASSERT_TRUE(keep("run.js", {"run.o"}).ok());
-  EXPECT_TRUE(program_kits(installed("one", {}))->empty());
+  EXPECT_TRUE(program_kits(installed("one", {}), "demo")->empty());
 }
 
 TEST_F(LinkKitTest, AContainerOfComponentsHasAKitAndLoadsNoPlugins) {
   tree_.write("part.a", "components");
   tree_.write("whole/lib/demo/component_container_mt.wasm", "");
   ASSERT_TRUE(keep("component_container_mt.wasm", {"part.a"}).ok());
-  const auto kits = program_kits(installed("whole", {}));
+  const auto kits = program_kits(installed("whole", {}), "demo");
   ASSERT_TRUE(kits);
   ASSERT_EQ(kits->size(), 1U);
   EXPECT_EQ(kits->front().name, "component_container_mt");
@@ -82,15 +82,51 @@ TEST_F(LinkKitTest, OnlyPluginsThatTheLastConfigureNamedAreInstalled) {
   ASSERT_TRUE(keep("tools__a__plugins.js", {"--ros2wasm-plugins-of=tools", "a.a"}).ok());
   tree_.write("kits/plugins/shapes/named", "shapes__a__plugins\nshapes__b__plugins\n");
   tree_.write("kits/plugins/tools/named", "tools__a__plugins\n");
-  EXPECT_EQ(plugin_kits(installed("one", {"shapes"}))->size(), 2U);
+  EXPECT_EQ(plugin_kits(installed("one", {"shapes"}), "demo")->size(), 2U);
   tree_.write("kits/plugins/shapes/named", "shapes__b__plugins\n");
-  const auto kits = plugin_kits(installed("two", {"shapes", "tools"}));
+  const auto kits = plugin_kits(installed("two", {"shapes", "tools"}), "demo");
   ASSERT_TRUE(kits);
   ASSERT_EQ(kits->size(), 2U);
   EXPECT_EQ((*kits)[0].name, "shapes__b__plugins");
   EXPECT_EQ((*kits)[0].base, "shapes");
   EXPECT_EQ((*kits)[1].base, "tools");
   EXPECT_EQ((*kits)[1].arguments.size(), 1U);
+}
+
+/// A package of a channel: built beside others in one prefix, installed into a tree, used
+/// elsewhere.
+TEST_F(LinkKitTest, KitsOfAChannelNameFilesByTheirPlaceInAPrefix) {
+  tree_.write("run.o", "object");
+  tree_.write("libcore.a", "core");
+  const std::string pluginlib = (tree_ / "others/lib/libpluginlib.a").string();
+  ASSERT_TRUE(keep("run.js", {"run.o", "libcore.a", pluginlib, "-O2"}).ok());
+  tree_.write("component_container.o", "object");
+  ASSERT_TRUE(keep("component_container.js", {"component_container.o"}).ok());
+  tree_.write("tree/lib/demo/run.wasm", "");
+  tree_.write("tree/lib/demo/component_container.wasm", "");
+  tree_.write("tree/lib/libcore.a", "core");
+  ASSERT_TRUE(install_movable_kits(tree_ / "kits", tree_ / "tree", "demo", tree_ / "others").ok());
+  fs::rename(tree_ / "tree", tree_ / "elsewhere");
+  EXPECT_EQ(packages_with_kits(tree_ / "elsewhere"), std::vector<std::string>{"demo"});
+  const auto kits = program_kits(tree_ / "elsewhere", "demo");
+  ASSERT_TRUE(kits);
+  ASSERT_EQ(kits->size(), 1U);  // not the container
+  EXPECT_EQ(
+      kits->front().arguments,
+      (std::vector<std::string>{(tree_ / "elsewhere/link_kits/demo/programs/run/0/run.o").string(),
+                                (tree_ / "elsewhere/lib/libcore.a").string(),
+                                (tree_ / "elsewhere/lib/libpluginlib.a").string(), "-O2"}));
+}
+
+TEST_F(LinkKitTest, AProgramOfAChannelThatNeedsWhatNoPackageHasIsRefused) {
+  tree_.write("run.o", "object");
+  ASSERT_TRUE(keep("run.js", {"run.o", "/elsewhere/libpluginlib.a"}).ok());
+  tree_.write("tree/lib/demo/run.wasm", "");
+  const auto done = install_movable_kits(tree_ / "kits", tree_ / "tree", "demo", tree_ / "others");
+  ASSERT_FALSE(done.ok());
+  EXPECT_EQ(done.errors().front().code, "R2W0505");
+  EXPECT_EQ(done.errors().front().why.front(),
+            "it is linked with /elsewhere/libpluginlib.a, which is in no package");
 }
 
 constexpr const char* kWhole = "-Wl,--whole-archive";

@@ -53,6 +53,8 @@ Arguments read(const std::vector<std::string>& words) {
       result.seed = std::strtoull(value().c_str(), nullptr, 10);
     } else if (word == "--initial-sim-time") {
       result.options.initial_time = std::strtod(value().c_str(), nullptr);
+    } else if (word == "--simulation-interfaces") {  // as the node GzServer has them
+      result.options.any_make = true;
     } else if (word == "--sdf-string") {
       result.text = value();
     } else if (word == "-v" || word == "--verbose") {

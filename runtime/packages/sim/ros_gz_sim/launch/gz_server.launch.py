@@ -12,7 +12,8 @@ ARGUMENTS = [
     ('create_own_container', 'False', 'Whether to start a ROS container when using composition.'),
     ('use_composition', 'False', 'Use composed bringup if True'),
 ]
-SERVER = ['gz', 'sim', '-r', '-s', '-v', '4', '--initial-sim-time', LaunchConfiguration('initial_sim_time')]
+SERVER = ['gz', 'sim', '-r', '-s', '-v', '4', '--simulation-interfaces',
+          '--initial-sim-time', LaunchConfiguration('initial_sim_time')]
 
 
 def generate_launch_description() -> LaunchDescription:

@@ -7,6 +7,7 @@
 #include "plugins/messages.hpp"
 #include "ros/classic_entities.hpp"
 #include "ros/classic_forces.hpp"
+#include "ros/spawn.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -151,10 +152,7 @@ void ClassicServer::spawn(const gazebo_msgs::srv::SpawnEntity::Request& request,
   }
   model->name = name;
   model->pose = reference * pose_of(request.initial_pose) * model->pose;
-  for (Plugin& plugin : model->plugins) plugin.robot_namespace = request.robot_namespace;
-  for (Link& link : model->links)
-    for (Sensor& sensor : link.sensors)
-      for (Plugin& plugin : sensor.plugins) plugin.robot_namespace = request.robot_namespace;
+  set_namespace(*model, request.robot_namespace);
   try {
     simulation_.add(std::move(*model));
   } catch (const PhysicsError& problem) {

@@ -13,6 +13,8 @@ namespace {
 
 using std::chrono_literals::operator""ms;
 
+/// A step that takes longer than it advances must not keep the node from its services.
+constexpr std::chrono::milliseconds kLongestTick{50};
 /// The most that is made up after a delay, in nanoseconds: more would only make the delay longer.
 constexpr std::int64_t kMostOwed = 100'000'000;
 
@@ -49,17 +51,34 @@ void Runner::pause(bool paused) {
   last_ = clock_.now();
 }
 
-void Runner::step(std::uint32_t count) {
-  for (std::uint32_t i = 0; i < count; ++i) step_once();
+void Runner::step(std::uint64_t count, std::function<bool(const Progress&)> report) {
+  asked_.push_back({.progress = {.made = 0, .left = count}, .report = std::move(report)});
 }
 
 void Runner::tick() {
-  run();
+  const rclcpp::Time now = clock_.now();
+  run_asked(now + rclcpp::Duration(kLongestTick));
+  run(now);
   if (on_tick_) on_tick_();
 }
 
-void Runner::run() {
-  const rclcpp::Time now = clock_.now();
+void Runner::run_asked(const rclcpp::Time& end) {
+  while (!asked_.empty()) {
+    Asked& asked = asked_.front();
+    Progress& progress = asked.progress;
+    while (progress.left > 0 && !progress.failed && clock_.now() < end) {
+      progress.failed = !step_once();
+      if (progress.failed) break;
+      ++progress.made;
+      --progress.left;
+    }
+    const bool goes_on = !asked.report || asked.report(progress);
+    if (goes_on && progress.left > 0 && !progress.failed) return;
+    asked_.pop_front();
+  }
+}
+
+void Runner::run(const rclcpp::Time& now) {
   const double factor = simulation_.world().physics.real_time_factor;
   const std::int64_t passed = (now - last_).nanoseconds();
   last_ = now;
@@ -67,8 +86,7 @@ void Runner::run() {
   owed_ns_ +=
       factor > 0 ? static_cast<std::int64_t>(static_cast<double>(passed) * factor) : kMostOwed;
   owed_ns_ = std::min(owed_ns_, std::max(kMostOwed, simulation_.step_ns()));
-  // A step that takes longer than it advances must not keep the node from its services.
-  const rclcpp::Time end = now + rclcpp::Duration(50ms);
+  const rclcpp::Time end = now + rclcpp::Duration(kLongestTick);
   const std::int64_t before = simulation_.time_ns();
   while (owed_ns_ >= simulation_.step_ns() && !paused_ && clock_.now() < end) {
     owed_ns_ -= simulation_.step_ns();
@@ -84,8 +102,8 @@ void Runner::run() {
                 *slow, costs_of(simulation_.world()).c_str());
 }
 
-void Runner::step_once() {
-  if (most_steps_ > 0 && steps_ >= most_steps_) return;
+bool Runner::step_once() {
+  if (most_steps_ > 0 && steps_ >= most_steps_) return false;
   if (before_step_) before_step_();
   try {
     simulation_.step();
@@ -93,16 +111,17 @@ void Runner::step_once() {
     RCLCPP_ERROR(node_->get_logger(), "%s", error.what());
     simulation_.reset_poses();
     pause(true);
-    return;
+    return false;
   }
   ++steps_;
   after_step_();
   const std::int64_t second = simulation_.time_ns() / 1'000'000'000;
-  if (second == hashed_s_) return;
+  if (second == hashed_s_) return true;
   hashed_s_ = second;
   std_msgs::msg::UInt64 hash;
   hash.data = simulation_.physics().state_hash();
   hashes_->publish(hash);
+  return true;
 }
 
 void report_warnings(const rclcpp::Logger& logger, Physics& physics) {

@@ -1,6 +1,7 @@
 // Keeps simulated time with the time of the site: the part that both servers share.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,21 +27,34 @@ class Runner {
 
   bool paused() const { return paused_; }
   void pause(bool paused);
-  /// Steps that are made although the world is paused.
-  void step(std::uint32_t count);
+  struct Progress {
+    std::uint64_t made = 0, left = 0;
+    bool failed = false;  ///< no more are made
+  };
+  /// Steps that are made although the world is paused, in the ticks that follow: a great many must
+  /// not keep the node from its services. `report` is called after those of a tick; false ends
+  /// them.
+  void step(std::uint64_t count, std::function<bool(const Progress&)> report = {});
   /// No steps after these. 0: no limit.
   void end_after(std::uint64_t steps) { most_steps_ = steps; }
 
  private:
   void tick();
-  void run();
-  void step_once();
+  void run(const rclcpp::Time& now);
+  void run_asked(const rclcpp::Time& end);
+  /// False: the state was not finite, or there are no more steps.
+  bool step_once();
 
   rclcpp::Node::SharedPtr node_;
   Simulation& simulation_;
   std::function<void()> after_step_, before_step_, on_tick_;
   bool paused_ = false;
   std::uint64_t most_steps_ = 0, steps_ = 0;
+  struct Asked {
+    Progress progress;
+    std::function<bool(const Progress&)> report;
+  };
+  std::deque<Asked> asked_;
   std::int64_t owed_ns_ = 0;  ///< of simulated time, that is to be made up
   rclcpp::Clock clock_{RCL_STEADY_TIME};
   rclcpp::Time

@@ -23,6 +23,8 @@ SimServer::SimServer(Host& host, Simulation& simulation, const SimOptions& optio
   std_msgs::msg::String name;
   name.data = simulation_.world().name;
   name_->publish(name);
+  if (options.any_make)
+    any_make_ = std::make_unique<SimulationServices>(host_, simulation_, runner_);
   if (!options.runs)
     RCLCPP_INFO(host_.node()->get_logger(),
                 "the world [%s] is paused: `-r` in its arguments lets it run at once",

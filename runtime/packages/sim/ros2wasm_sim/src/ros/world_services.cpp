@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "plugins/messages.hpp"
-#include "ros/resources.hpp"
+#include "ros/spawn.hpp"
 #include "ros2wasm_sim/gz_names.hpp"
 
 namespace ros2wasm_sim {
@@ -37,44 +37,21 @@ void WorldServices::offer(const std::string& name, Answer answer) {
 }
 
 bool WorldServices::create(const ros_gz_interfaces::msg::EntityFactory& factory) {
+  const Spawned spawned = spawn(host_, simulation_,
+                                {.name = factory.name,
+                                 .allow_renaming = factory.allow_renaming,
+                                 .text = factory.sdf,
+                                 .uri = factory.sdf_filename,
+                                 .name_space = {},
+                                 .pose = pose_of(factory.pose)});
+  if (spawned.problem == SpawnProblem::kNone) return true;
   const rclcpp::Logger logger = host_.node()->get_logger();
-  std::string text = factory.sdf, file;
-  if (text.empty() && !factory.sdf_filename.empty()) {
-    std::vector<std::string> searched;
-    const Resources resources = site_resources();
-    const auto found = resources.find(factory.sdf_filename, searched);
-    const auto read = found ? resources.read(*found) : std::nullopt;
-    if (!read) {
-      RCLCPP_ERROR(logger, "the model [%s] is not found (searched: %s)",
-                   factory.sdf_filename.c_str(), listed(searched).c_str());
-      return false;
-    }
-    text = *read;
-    file = *found;
-  }
-  std::string error;
-  auto model = load_model(logger, text, file, error);
-  if (!model) return false;
-  const std::string wanted = factory.name.empty() ? model->name : factory.name;
-  std::string name = wanted;
-  if (simulation_.model(name) != nullptr && !factory.allow_renaming) {
-    RCLCPP_WARN(
-        logger,
-        "Entity named [%s] already exists and [allow_renaming] is false. Entity not spawned.",
-        name.c_str());
-    return false;
-  }
-  for (int i = 0; simulation_.model(name) != nullptr; ++i) name = wanted + "_" + std::to_string(i);
-  model->name = name;
-  model->pose = pose_of(factory.pose);  // in place of the model's own
-  try {
-    simulation_.add(std::move(*model));
-  } catch (const PhysicsError& problem) {
-    RCLCPP_ERROR(logger, "the model [%s] cannot be simulated: %s", name.c_str(), problem.what());
-    return false;
-  }
-  report_warnings(logger, simulation_.physics());
-  return true;
+  // Upstream warns only of a name that is taken.
+  if (spawned.problem == SpawnProblem::kNameTaken)
+    RCLCPP_WARN(logger, "%s", spawned.error.c_str());
+  else if (spawned.problem != SpawnProblem::kUnreadable)  // what was read has been reported
+    RCLCPP_ERROR(logger, "%s", spawned.error.c_str());
+  return false;
 }
 
 bool WorldServices::remove(const ros_gz_interfaces::msg::Entity& entity) {

@@ -8,6 +8,7 @@
 #include "mesh/dae.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/stl.hpp"
+#include "mesh/submesh.hpp"
 
 namespace ros2wasm_sim {
 namespace {
@@ -76,6 +77,58 @@ TEST(MeshFiles, ColladaWhereItsSceneHasIt) {
   const std::vector<float> expected{0, 0, 0.5F, 0, 1, 0.5F, -1, 1, 0.5F};
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(read->vertices[i], expected[i], 1e-6) << i;
+}
+
+TEST(MeshFiles, AnObjectOfAnObjFileIsASubmesh) {
+  const auto whole = read_obj(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\no left\nf 1 2 3\n"
+      "v 5 0 0\nv 7 0 0\nv 5 4 2\no right wing\ng panel\nf 4 5 6\nf 4 6 5\n",
+      10, {});
+  ASSERT_TRUE(whole);
+  const auto right = submesh_of(*whole, "right wing", false);
+  ASSERT_TRUE(right);
+  EXPECT_EQ(right->vertices, (std::vector<float>{5, 0, 0, 7, 0, 0, 5, 4, 2}));
+  EXPECT_EQ(right->faces, (std::vector<int>{0, 1, 2, 0, 2, 1}));
+  const auto centered = submesh_of(*whole, "panel", true);
+  ASSERT_TRUE(centered);
+  EXPECT_EQ(centered->vertices, (std::vector<float>{-1, -2, -1, 1, -2, -1, -1, 2, 1}));
+  EXPECT_FALSE(submesh_of(*whole, "tail", false));
+  EXPECT_EQ(object_names(*whole), "left, panel, right wing");
+}
+
+TEST(MeshFiles, ANodeOfColladaIsASubmesh) {
+  const std::string nodes =
+      "<node name=\"base\"><instance_geometry url=\"#g\"/></node>"
+      "<node name=\"lid\"><translate>0 0 5</translate><node>"
+      "<instance_geometry url=\"#g\"/></node></node>";
+  const auto whole = read_dae(collada(nodes, kTriangles), 10);
+  ASSERT_TRUE(whole);
+  const auto lid = submesh_of(*whole, "lid", false);
+  ASSERT_TRUE(lid);
+  EXPECT_EQ(2 * lid->faces.size(), whole->faces.size());
+  const auto base = submesh_of(*whole, "base", false);
+  ASSERT_TRUE(base);
+  ASSERT_EQ(base->vertices.size(), lid->vertices.size());
+  for (std::size_t i = 2; i < base->vertices.size(); i += 3)
+    EXPECT_GT(lid->vertices[i], base->vertices[i]);
+}
+
+TEST(MeshFiles, ASubmeshKeepsItsColours) {
+  const ReadBeside materials = [](const std::string&) {
+    return std::optional<std::string>("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  };
+  const auto whole = read_obj(
+      "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\no one\nf 1 2 3\n"
+      "o two\nf 1 2 3\nusemtl blue\nf 1 2 3\n",
+      10, materials);
+  ASSERT_TRUE(whole);
+  const auto two = submesh_of(*whole, "two", false);
+  ASSERT_TRUE(two);
+  ASSERT_EQ(two->parts.size(), 2U);
+  EXPECT_EQ(two->parts[0].first_face, 0U);
+  EXPECT_EQ(two->parts[0].diffuse->r, 1);
+  EXPECT_EQ(two->parts[1].first_face, 1U);
+  EXPECT_EQ(two->parts[1].diffuse->b, 1);
 }
 
 TEST(MeshFiles, ObjHasTheColoursOfItsMaterials) {

@@ -240,13 +240,12 @@ TEST(SdfWorld, AFolderWithoutAModelIsAnError) {
       "model.config and no model.sdf\n");
 }
 
-TEST(SdfWorld, UnknownMaterialsAndSubmeshesAreWarnings) {
+TEST(SdfWorld, UnknownMaterialsAreWarnings) {
   EXPECT_EQ(notes_of_world("<model name='m'><link name='l'><visual name='v'><geometry><mesh>"
                            "<uri>model://a.dae</uri><submesh><name>s</name></submesh></mesh>"
                            "</geometry><material><script><name>Gazebo/Redd</name></script>"
                            "</material></visual></link></model>",
                            {{"/models/a.dae", ""}}),
-            "warning world:1: <submesh> is not supported, so the whole mesh is used\n"
             "warning world:1: material `Gazebo/Redd` is not known, so its visuals are grey\n");
 }
 

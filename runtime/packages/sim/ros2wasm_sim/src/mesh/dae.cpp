@@ -111,6 +111,7 @@ class Reader {
   struct Placed {
     const XmlElement* node;
     Matrix matrix;
+    std::string name;  ///< of the node, or of the nearest one around it that has a name
   };
 
   struct Corner {
@@ -136,19 +137,23 @@ class Reader {
 
   /// Not by recursion: nodes may be as deep as the file likes, and name each other.
   bool place(const XmlElement& root, const Matrix& outer, TriangleMesh& mesh) {
-    std::vector<Placed> open{{&root, outer}};
+    std::vector<Placed> open{{&root, outer, {}}};
     while (!open.empty()) {
-      const Placed one = open.back();
+      Placed one = std::move(open.back());
       open.pop_back();
       if (++placed_ > kMostPlaced) return false;
+      if (const std::string* name = one.node->attribute("name")) one.name = *name;
       const Matrix matrix = product(one.matrix, transformation(document_, *one.node));
       for (const XmlElement* inner : document_.children(*one.node)) {
-        if (inner->name == "node") open.push_back({inner, matrix});
+        if (inner->name == "node") open.push_back({inner, matrix, one.name});
         const XmlElement* target = named(*inner, "url");
         if (target == nullptr) continue;
-        if (inner->name == "instance_node") open.push_back({target, matrix});
-        if (inner->name == "instance_geometry" && !add_geometry(*target, *inner, matrix, mesh))
-          return false;
+        if (inner->name == "instance_node") open.push_back({target, matrix, one.name});
+        if (inner->name != "instance_geometry") continue;
+        const std::string* geometry = target->attribute("name");
+        mesh.objects.push_back(
+            {mesh.faces.size() / 3, one.name, geometry == nullptr ? std::string() : *geometry});
+        if (!add_geometry(*target, *inner, matrix, mesh)) return false;
       }
     }
     return true;

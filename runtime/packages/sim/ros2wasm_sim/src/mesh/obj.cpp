@@ -103,6 +103,7 @@ class Reader {
     if (kind == "vt") return add_numbers(words, 2, places_);
     if (kind == "f") return add_face(words);
     if (kind == "usemtl") begin_part(rest_of(words));
+    if (kind == "o" || kind == "g") begin_object(rest_of(words));
     if (kind == "mtllib") read_materials(rest_of(words));
     return true;
   }
@@ -134,6 +135,17 @@ class Reader {
     if (!mesh_.parts.empty() && mesh_.parts.back().first_face == part.first_face)
       mesh_.parts.pop_back();
     mesh_.parts.push_back(std::move(part));
+  }
+
+  void begin_object(std::string name) {
+    const std::size_t first = mesh_.faces.size() / 3;
+    auto& objects = mesh_.objects;
+    if (!objects.empty() && objects.back().first_face == first) {  // `o` and `g` of the same faces
+      if (objects.back().geometry.empty()) objects.back().geometry = std::move(name);
+      return;
+    }
+    constexpr std::size_t kMostObjects = 10'000;
+    if (objects.size() < kMostObjects) objects.push_back({first, std::move(name), {}});
   }
 
   /// Corners such as `7`, `7/1`, `7/1/2` and `7//2`: a vertex, a place in a picture, a normal.

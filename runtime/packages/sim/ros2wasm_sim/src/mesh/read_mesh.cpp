@@ -7,10 +7,13 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "mesh/dae.hpp"
+#include "mesh/heights.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/stl.hpp"
+#include "mesh/submesh.hpp"
 #include "ros/resources.hpp"
 
 namespace ros2wasm_sim {
@@ -18,8 +21,13 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 200'000;
 
+bool is_picture(const std::string& ending) {
+  return ending == "png" || ending == "jpg" || ending == "jpeg" || ending == "bmp" ||
+         ending == "tga";
+}
+
 bool is_supported(const std::string& ending) {
-  return ending == "stl" || ending == "obj" || ending == "dae";
+  return ending == "stl" || ending == "obj" || ending == "dae" || is_picture(ending);
 }
 
 /// In lower case.
@@ -34,6 +42,7 @@ std::optional<TriangleMesh> read_file(const std::string& path, const std::string
   const auto read = site_resources().read;
   const auto bytes = read(path);
   if (!bytes) return std::nullopt;
+  if (is_picture(ending)) return read_heights(*bytes);
   if (ending == "stl") return read_stl(*bytes, kMostTriangles);
   if (ending == "dae") return read_dae(*bytes, kMostTriangles);
   return read_obj(*bytes, kMostTriangles, [&](const std::string& name) {
@@ -41,28 +50,61 @@ std::optional<TriangleMesh> read_file(const std::string& path, const std::string
   });
 }
 
-}  // namespace
+/// The files that have been read, and parts of them.
+class KnownMeshes {
+ public:
+  explicit KnownMeshes(rclcpp::Logger logger) : logger_(std::move(logger)) {}
 
-MeshReader site_meshes(const rclcpp::Logger& logger) {
-  auto known = std::make_shared<std::map<std::string, std::shared_ptr<const TriangleMesh>>>();
-  return [known, logger](const Mesh& mesh) -> std::shared_ptr<const TriangleMesh> {
+  std::shared_ptr<const TriangleMesh> get(const Mesh& mesh) {
     if (mesh.path.empty()) return nullptr;
-    const auto [found, is_new] = known->try_emplace(mesh.path);
+    const auto whole = file(mesh);
+    if (whole == nullptr || mesh.submesh.empty()) return whole;
+    const auto [found, is_new] = known_.try_emplace(part_key(mesh));
+    if (!is_new) return found->second;
+    auto part = submesh_of(*whole, mesh.submesh, mesh.center_submesh);
+    if (!part)
+      RCLCPP_ERROR(logger_, "mesh [%s] has no submesh [%s]; its submeshes: %s", mesh.uri.c_str(),
+                   mesh.submesh.c_str(), object_names(*whole).c_str());
+    else
+      found->second = std::make_shared<const TriangleMesh>(std::move(*part));
+    return found->second;
+  }
+
+ private:
+  std::shared_ptr<const TriangleMesh> file(const Mesh& mesh) {
+    const auto [found, is_new] = known_.try_emplace(mesh.path);
     if (!is_new) return found->second;
     const std::string ending = ending_of(mesh.path);
     if (!is_supported(ending)) {
-      RCLCPP_WARN(logger, "mesh [%s] is skipped: only STL, OBJ and COLLADA files are supported",
+      RCLCPP_WARN(logger_,
+                  "mesh [%s] is skipped: only STL, OBJ and COLLADA files, and pictures of heights, "
+                  "are supported",
                   mesh.uri.c_str());
       return nullptr;
     }
     auto read = read_file(mesh.path, ending);
-    if (!read) {
-      RCLCPP_ERROR(logger, "mesh [%s] cannot be read, or has more than %zu triangles",
+    if (read) {
+      found->second = std::make_shared<const TriangleMesh>(std::move(*read));
+    } else if (is_picture(ending)) {
+      RCLCPP_ERROR(logger_,
+                   "heightmap [%s] cannot be read, or has more than %d pixels along a side",
+                   mesh.uri.c_str(), kMostHeights);
+    } else {
+      RCLCPP_ERROR(logger_, "mesh [%s] cannot be read, or has more than %zu triangles",
                    mesh.uri.c_str(), kMostTriangles);
-      return nullptr;
     }
-    found->second = std::make_shared<const TriangleMesh>(std::move(*read));
     return found->second;
+  }
+
+  rclcpp::Logger logger_;
+  std::map<std::string, std::shared_ptr<const TriangleMesh>> known_;  ///< null: it was reported
+};
+
+}  // namespace
+
+MeshReader site_meshes(const rclcpp::Logger& logger) {
+  return [known = std::make_shared<KnownMeshes>(logger)](const Mesh& mesh) {
+    return known->get(mesh);
   };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,8 @@ struct MjcfNames {
   std::vector<std::pair<std::string, std::string>> link_names;  ///< of the bodies, by number
   std::vector<int> weightless;                ///< bodies that gravity does not pull
   std::map<std::string, std::string> meshes;  ///< name in the model to path
+  /// The heightmaps `heights0`, `heights1`, ...: their heights are set when the model is there.
+  std::vector<std::shared_ptr<const TriangleMesh>> heights;
   std::vector<DirectedShape> directed;
   /// `model::link::collision` of the geoms `c0`, `c1`, ... A wheel's tread, `c2t`, is part of `c2`.
   std::vector<std::string> collisions;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "mesh/heights.hpp"
 #include "physics/mesh_pieces.hpp"
 
 namespace ros2wasm_sim {
@@ -81,7 +82,7 @@ void note_direction(const Collision& shape, const Link& link, const std::string&
 
 /// The same mesh: by its file, part and scale.
 std::string key_of(const Mesh& mesh) {
-  return mesh.path + "\n" + mesh.submesh + "\n" + text(mesh.scale);
+  return part_key(mesh) + "\n" + text(mesh.scale);
 }
 
 std::string bits(std::uint32_t type, std::uint32_t affinity) {
@@ -148,8 +149,9 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
   const Surface& surface = shape.surface;
   colliding_.insert(static_cast<int>(mjcf.names.link_names.size()) - 1);
   if (surface.collide_without_contact) return geom(where, 0, 0, kCollisionGroup);
-  if (std::holds_alternative<Plane>(shape.geometry))
-    return geom(where, kGround, surface.collide_bitmask | kTread, kCollisionGroup);
+  const bool is_ground = std::holds_alternative<Plane>(shape.geometry) ||
+                         std::holds_alternative<Heightmap>(shape.geometry);
+  if (is_ground) return geom(where, kGround, surface.collide_bitmask | kTread, kCollisionGroup);
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh != nullptr && !mount.moves) {
     const std::vector<Piece>& pieces = pieces_of(*mesh, what, mjcf);
     std::string geoms = pieces.empty() ? "" : geom(where, 0, 0, kCollisionGroup);  // for rays
@@ -161,11 +163,11 @@ std::string ShapeWriter::collision(const Collision& shape, const Link& link, con
           placed(shape.pose * piece.pose);
       const std::string suffix = "p" + std::to_string(i);
       const Pose in_world = mount.pose * shape.pose;
-      const bool is_ground = rotate(in_world.orientation, piece.normal).z > kGroundSlope;
-      geoms += is_ground ? geom(form, kGround, surface.collide_bitmask | kTread, kContactOnlyGroup,
-                                suffix)
-                         : geom(form, surface.category_bitmask, surface.collide_bitmask,
-                                kContactOnlyGroup, suffix);
+      const bool carries = rotate(in_world.orientation, piece.normal).z > kGroundSlope;
+      geoms +=
+          carries ? geom(form, kGround, surface.collide_bitmask | kTread, kContactOnlyGroup, suffix)
+                  : geom(form, surface.category_bitmask, surface.collide_bitmask, kContactOnlyGroup,
+                         suffix);
     }
     if (!pieces.empty()) return geoms;
   }
@@ -224,9 +226,35 @@ std::string ShapeWriter::form(const Geometry& geometry, const Pose& pose, bool m
     if (name.empty()) return {};
     return " type=\"mesh\" mesh=\"" + name + "\"" + placed(pose);
   }
-  if (std::holds_alternative<Heightmap>(geometry))
-    mjcf.warnings.push_back(what + " is skipped: heightmaps are not simulated yet");
+  if (const auto* map = std::get_if<Heightmap>(&geometry)) {
+    if (moves) {
+      mjcf.warnings.push_back(what + " is skipped: a heightmap cannot move");
+      return {};
+    }
+    const std::string name = heights(mesh_of(*map), what, mjcf);
+    if (name.empty()) return {};
+    return " type=\"hfield\" hfield=\"" + name + "\"" + placed(pose * Pose{map->position, {}});
+  }
   return {};
+}
+
+std::string ShapeWriter::heights(const Mesh& map, const std::string& what, Mjcf& mjcf) {
+  const auto [known, is_new] = mesh_names_.try_emplace(key_of(map));
+  std::string& name = known->second;
+  if (!is_new) return name;
+  const std::shared_ptr<const TriangleMesh> read = meshes_ ? meshes_(map) : nullptr;
+  if (read == nullptr || read->columns == 0) {
+    mjcf.warnings.push_back(what + " is skipped: its heightmap `" + map.uri + "` cannot be read");
+    return name;
+  }
+  name = "heights" + std::to_string(mjcf.names.heights.size());
+  mjcf.names.heights.push_back(read);
+  // Half sizes, the height of 1, and how deep the ground is below 0.
+  constexpr double kDepth = 1;
+  assets_ += "<hfield name=\"" + name + "\" nrow=\"" + std::to_string(read->rows) + "\" ncol=\"" +
+             std::to_string(read->columns) + "\" size=\"" + number(map.scale.x / 2) + " " +
+             number(map.scale.y / 2) + " " + number(map.scale.z) + " " + number(kDepth) + "\"/>\n";
+  return name;
 }
 
 std::string ShapeWriter::mesh(const Mesh& mesh, const std::string& what, Mjcf& mjcf) {

@@ -38,6 +38,8 @@ class ShapeWriter {
   std::string form(const Geometry& geometry, const Pose& pose, bool moves, const std::string& what,
                    Mjcf& mjcf);
   std::string mesh(const Mesh& mesh, const std::string& what, Mjcf& mjcf);
+  /// The name of a heightmap's asset, or nothing when it cannot be read.
+  std::string heights(const Mesh& map, const std::string& what, Mjcf& mjcf);
   /// A convex piece of a mesh.
   struct Piece {
     std::string asset;  ///< empty: it is a box

@@ -336,10 +336,28 @@ class MujocoPhysics final : public Physics {
       Mjcf written = write_mjcf(world, meshes, limits);
       try {
         ModelPointer model = compile_model(written.xml);
+        set_heights(*model, written.names);
         return {std::move(written), std::move(model)};
       } catch (const PhysicsError& error) {
         if (!refuse_mesh(error.what(), written.names)) throw;
       }
+    }
+  }
+
+  /// The engine counts rows from the south.
+  static void set_heights(mjModel& model, const MjcfNames& names) {
+    for (std::size_t i = 0; i < names.heights.size(); ++i) {
+      const int id = mj_name2id(&model, mjOBJ_HFIELD, ("heights" + std::to_string(i)).c_str());
+      if (id < 0) continue;
+      const TriangleMesh& grid = *names.heights[i];
+      auto* heights = model.hfield_data + model.hfield_adr[id];
+      for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+          const std::size_t from = static_cast<std::size_t>(row) * grid.columns + column;
+          const std::size_t to =
+              static_cast<std::size_t>(grid.rows - 1 - row) * grid.columns + column;
+          heights[to] = grid.vertices[3 * from + 2];
+        }
     }
   }
 

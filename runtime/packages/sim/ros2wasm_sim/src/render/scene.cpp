@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/heights.hpp"
+
 namespace ros2wasm_sim {
 namespace {
 
@@ -49,6 +51,11 @@ void RenderScene::rebuild() {
 void RenderScene::add_visual(LinkHandle link, const Visual& visual) {
   if (visual.transparency >= 1) return;
   if (const auto* mesh = std::get_if<Mesh>(&visual.geometry)) return add_mesh(link, visual, *mesh);
+  if (const auto* map = std::get_if<Heightmap>(&visual.geometry)) {
+    Visual placed = visual;
+    placed.pose = visual.pose * Pose{map->position, {}};
+    return add_mesh(link, placed, mesh_of(*map));
+  }
   auto triangles = std::make_shared<const Triangles>(triangles_of(visual.geometry));
   const Material& material = visual.material;
   add(link, visual, std::move(triangles),
@@ -64,7 +71,7 @@ void RenderScene::add_mesh(LinkHandle link, const Visual& visual, const Mesh& me
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t first = parts[i].first_face;
     const std::size_t end = i + 1 < parts.size() ? parts[i + 1].first_face : read->faces.size() / 3;
-    const std::string key = mesh.path + " " + std::to_string(first) + " " +
+    const std::string key = part_key(mesh) + " " + std::to_string(first) + " " +
                             std::to_string(mesh.scale.x) + " " + std::to_string(mesh.scale.y) +
                             " " + std::to_string(mesh.scale.z);
     std::shared_ptr<const Triangles>& triangles = parts_[key + (parts.size() > 1 ? "" : " all")];

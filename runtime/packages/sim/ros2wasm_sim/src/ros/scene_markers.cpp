@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/heights.hpp"
 #include "plugins/messages.hpp"
 
 namespace ros2wasm_sim {
@@ -98,7 +99,9 @@ class Writer {
     put(Marker::CUBE, turned * Pose{{0, 0, -kPlaneThickness / 2}, {}},
         {plane.width, plane.height, kPlaneThickness});
   }
-  void draw(const Heightmap&, const Pose&) {}
+  void draw(const Heightmap& map, const Pose& pose) {
+    if (!map.path.empty()) draw_part(mesh_of(map), pose * Pose{map.position, {}});
+  }
 
   void draw(const Mesh& mesh, const Pose& pose) {
     if (mesh.path.empty()) return;

@@ -40,10 +40,6 @@ Geometry read_mesh(Context& context, const Node& shape) {
   Mesh mesh = locate_mesh(context, uri, text_of(uri));
   mesh.scale = vector3(context, shape, "scale", mesh.scale);
   mesh.submesh = text_of(descend(shape, {"submesh", "name"}));
-  if (!mesh.submesh.empty()) {
-    context.warning_once(child(shape, "submesh"),
-                         "<submesh> is not supported, so the whole mesh is used");
-  }
   mesh.center_submesh = boolean(context, child(shape, "submesh"), "center", false);
   return mesh;
 }

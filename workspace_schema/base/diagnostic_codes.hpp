@@ -127,6 +127,7 @@ inline constexpr std::string_view kDiagnosticCodes[] = {
     "R2W0529",
     "R2W0530",
     "R2W0531",
+    "R2W0532",
     "R2W0601",
     "R2W0602",
     "R2W0603",

@@ -1,6 +1,7 @@
 // Worlds of SDF: settings, models, includes and what is wrong with them.
 #include <chrono>
 
+#include "sdf/fuel.hpp"
 #include "sdf_texts.hpp"
 
 namespace {
@@ -238,6 +239,31 @@ TEST(SdfWorld, AFolderWithoutAModelIsAnError) {
       notes_of_world("<include><uri>model://a</uri></include>", {{"/models/a/b.dae", ""}}),
       "error world:1: the model model://a cannot be read: /models/a is not a file, and has no "
       "model.config and no model.sdf\n");
+}
+
+TEST(SdfWorld, AModelOfFuelThatIsMissingIsNamedWithItsArchive) {
+  EXPECT_EQ(notes_of_world("<include><uri>https://fuel.gazebosim.org/1.0/Some%20Body/models/Coke "
+                           "Can/2</uri></include>"),
+            "warning world:1: the model https://fuel.gazebosim.org/1.0/Some%20Body/models/Coke "
+            "Can/2 is not found (searched: /models). A site downloads nothing from "
+            "Gazebo Fuel: unpack https://fuel.gazebosim.org/1.0/Some%20Body/models/Coke%20Can.zip "
+            "into a folder `Coke Can` beside the other models of your package, which its "
+            "CMakeLists.txt installs; the address may stay as it is\n");
+}
+
+TEST(SdfWorld, AddressesOfFuelAreReadWithCare) {
+  const auto file =
+      fuel_model("https://fuel.ignitionrobotics.org/1.0/O/models/A%20B/tip/files/m/x.dae");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->name, "A B");
+  EXPECT_EQ(file->file, "m/x.dae");
+  EXPECT_EQ(fuel_folders(*file), (std::vector<std::string>{"A B", "A_B", "a b", "a_b"}));
+  for (const char* wrong :
+       {"https://fuel.gazebosim.org/1.0/O/models/", "https://fuel.gazebosim.org/1.0/O/models/..",
+        "https://fuel.gazebosim.org/1.0/O/models/M/1/files/../secret",
+        "https://fuel.gazebosim.org/1.0/O/worlds/W", "https://example.org/1.0/O/models/M",
+        "model://fuel.gazebosim.org/1.0/O/models/M"})
+    EXPECT_FALSE(fuel_model(wrong)) << wrong;
 }
 
 TEST(SdfWorld, UnknownMaterialsAreWarnings) {

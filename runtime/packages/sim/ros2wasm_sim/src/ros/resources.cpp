@@ -11,6 +11,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "sdf/fuel.hpp"
+
 namespace ros2wasm_sim {
 namespace {
 
@@ -64,10 +66,19 @@ std::optional<std::string> find_below(const std::string& name, std::vector<std::
   return exists(path) ? std::optional(path) : std::nullopt;
 }
 
+/// The folder of a model that somebody has downloaded, or a file in it.
+std::optional<std::string> find_fuel(const FuelModel& model, std::vector<std::string>& searched) {
+  for (const std::string& folder : fuel_folders(model))
+    if (const auto found = find_below(folder, searched))
+      return model.file.empty() ? *found : *found + "/" + model.file;
+  return std::nullopt;
+}
+
 std::optional<std::string> find(const std::string& uri, std::vector<std::string>& searched) {
   const auto after = [&](const std::string& scheme) { return uri.substr(scheme.size()); };
   if (uri.rfind("model://", 0) == 0) return find_below(after("model://"), searched);
   if (uri.rfind("package://", 0) == 0) return find_below(after("package://"), searched);
+  if (const auto model = fuel_model(uri)) return find_fuel(*model, searched);
   if (uri.rfind("http://", 0) == 0 || uri.rfind("https://", 0) == 0) return std::nullopt;
   const std::string path = uri.rfind("file://", 0) == 0 ? after("file://") : uri;
   if (path.empty()) return std::nullopt;

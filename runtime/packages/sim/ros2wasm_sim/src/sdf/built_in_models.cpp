@@ -1,6 +1,8 @@
 // The models that nearly every world includes, so that no download is needed.
+#include <string>
 #include <string_view>
 
+#include "sdf/fuel.hpp"
 #include "sdf/sdf_include.hpp"
 
 namespace ros2wasm_sim {
@@ -38,52 +40,19 @@ constexpr const char* kGroundPlane = R"(<?xml version="1.0"?>
 </sdf>
 )";
 
-/// In small letters, with `_` for spaces.
-std::string plain(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    char letter = text[i];
-    if (text.substr(i, 3) == "%20") {
-      letter = '_';
-      i += 2;
-    }
-    letter = letter == ' ' ? '_' : letter;
-    result += letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  }
-  return result;
-}
-
 }  // namespace
 
 const char* built_in_model(const std::string& uri) {
-  if (uri.size() > 200) {
-    return nullptr;
+  constexpr std::string_view kModel = "model://";
+  FuelModel model;
+  if (uri.compare(0, kModel.size(), kModel) == 0) {
+    model.name = uri.substr(kModel.size());
+    model.name = model.name.substr(0, model.name.find('/'));
+  } else if (const auto of_fuel = fuel_model(uri);
+             of_fuel && (of_fuel->owner == "OpenRobotics" || of_fuel->owner == "openrobotics")) {
+    model = *of_fuel;
   }
-  std::string name = plain(uri);
-  const auto skip = [&name](std::string_view prefix) {
-    const bool is_there = name.compare(0, prefix.size(), prefix) == 0;
-    name.erase(0, is_there ? prefix.size() : 0);
-    return is_there;
-  };
-  if (!skip("model://")) {
-    if (!skip("https://") && !skip("http://")) {
-      return nullptr;
-    }
-    if (!skip("fuel.gazebosim.org/") && !skip("fuel.ignitionrobotics.org/") &&
-        !skip("app.gazebosim.org/") && !skip("app.ignitionrobotics.org/")) {
-      return nullptr;
-    }
-    skip("1.0/");
-    if (!skip("openrobotics/")) {
-      return nullptr;
-    }
-    skip("fuel/");
-    if (!skip("models/")) {
-      return nullptr;
-    }
-  }
-  // A version, such as /2, /tip or a slash at the end.
-  name = name.substr(0, name.find('/'));
+  const std::string name = fuel_folders(model).back();
   return name == "sun" ? kSun : name == "ground_plane" ? kGroundPlane : nullptr;
 }
 

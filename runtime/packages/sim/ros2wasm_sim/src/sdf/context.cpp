@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sdf/fuel.hpp"
 #include "sdf/nearest_name.hpp"
 #include "sdf/xml_values.hpp"
 
@@ -34,6 +35,12 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// How to get the file of `model://NAME/rest` or `package://NAME/rest`.
 std::string way_to_file(const std::string& uri, const std::vector<std::string>& searched) {
+  if (const auto model = fuel_model(uri)) {
+    return ". A site downloads nothing from Gazebo Fuel: unpack " + fuel_archive(*model) +
+           " into a folder `" + fuel_folders(*model).front() +
+           "` beside the other models of your package, which its CMakeLists.txt installs; the "
+           "address may stay as it is";
+  }
   const std::size_t scheme = uri.find("://");
   const std::string kind = uri.substr(0, scheme);
   if (scheme == std::string::npos || (kind != "model" && kind != "package")) {

@@ -1,0 +1,101 @@
+// See fuel.hpp.
+#include "sdf/fuel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace ros2wasm_sim {
+namespace {
+
+constexpr std::size_t kMostLetters = 1000;
+constexpr std::array<std::string_view, 4> kHosts{"fuel.gazebosim.org/",
+                                                 "fuel.ignitionrobotics.org/", "app.gazebosim.org/",
+                                                 "app.ignitionrobotics.org/"};
+
+/// With spaces for `%20`.
+std::string unescaped(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_space = text.substr(i, 3) == "%20";
+    result += is_space ? ' ' : text[i];
+    i += is_space ? 2 : 0;
+  }
+  return result;
+}
+
+/// The text up to the next slash, which is removed with it.
+std::string next_part(std::string_view& rest) {
+  const std::size_t slash = rest.find('/');
+  std::string part = unescaped(rest.substr(0, slash));
+  rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
+  return part;
+}
+
+/// It becomes a folder's name.
+bool is_plain(const std::string& name) {
+  return !name.empty() && name.front() != '.' &&
+         std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+           return letter >= ' ' && letter != '\\' && letter < 127;
+         });
+}
+
+std::string replaced(std::string text, char from, char to) {
+  std::replace(text.begin(), text.end(), from, to);
+  return text;
+}
+
+std::string in_small_letters(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return text;
+}
+
+}  // namespace
+
+std::optional<FuelModel> fuel_model(const std::string& uri) {
+  if (uri.size() > kMostLetters) return std::nullopt;
+  std::string_view rest = uri;
+  const auto skip = [&rest](std::string_view prefix) {
+    const bool is_there = rest.substr(0, prefix.size()) == prefix;
+    rest.remove_prefix(is_there ? prefix.size() : 0);
+    return is_there;
+  };
+  if (!skip("https://") && !skip("http://")) return std::nullopt;
+  if (std::none_of(kHosts.begin(), kHosts.end(), skip)) return std::nullopt;
+  skip("1.0/");
+  FuelModel model;
+  model.owner = next_part(rest);
+  skip("fuel/");
+  if (!skip("models/")) return std::nullopt;
+  model.name = next_part(rest);
+  if (!is_plain(model.owner) || !is_plain(model.name)) return std::nullopt;
+  next_part(rest);  // a version, such as 2 or tip
+  if (!skip("files/")) return model;
+  while (!rest.empty()) {
+    const std::string part = next_part(rest);
+    if (!is_plain(part)) return std::nullopt;
+    model.file += (model.file.empty() ? "" : "/") + part;
+  }
+  return model;
+}
+
+std::vector<std::string> fuel_folders(const FuelModel& model) {
+  const std::string joined = replaced(model.name, ' ', '_');
+  std::vector<std::string> names{model.name};
+  for (const std::string& name : {joined, in_small_letters(model.name), in_small_letters(joined)})
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+std::string fuel_archive(const FuelModel& model) {
+  const auto escaped = [](const std::string& text) {
+    std::string result;
+    for (const char letter : text) result += letter == ' ' ? "%20" : std::string(1, letter);
+    return result;
+  };
+  return "https://fuel.gazebosim.org/1.0/" + escaped(model.owner) + "/models/" +
+         escaped(model.name) + ".zip";
+}
+
+}  // namespace ros2wasm_sim

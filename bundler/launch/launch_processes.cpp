@@ -471,7 +471,9 @@ void LaunchEvaluator::executable(const LaunchEntity& entity) {
                         std::string(kSimulatorPackage));
   if (simulator && simulator->program.empty()) return pass_over(true);
   if (simulator) {
-    process.node.package = {std::string(kSimulatorPackage), entity.span};
+    const std::string controlled(kControlledSimulatorPackage);
+    process.node.package = {
+        world_.prefix_of(controlled) ? controlled : std::string(kSimulatorPackage), entity.span};
     process.node.executable = {std::move(simulator->program), entity.span};
     process.node.arguments = std::move(simulator->arguments);
   } else if (auto program = node_program(*words, world_)) {

@@ -10,9 +10,10 @@ namespace ros2wasm {
 namespace {
 
 constexpr auto kPackages = std::to_array<std::string_view>(
-    {"gazebo_dev", "gazebo_msgs", "gazebo_plugins", "gazebo_ros", "gazebo_ros_pkgs", "ros2wasm_sim",
-     "ros_gz", "ros_gz_bridge", "ros_gz_image", "ros_gz_interfaces", "ros_gz_sim", "ros_ign_bridge",
-     "ros_ign_gazebo", "ros_ign_image"});
+    {"gazebo_dev", "gazebo_msgs", "gazebo_plugins", "gazebo_ros", "gazebo_ros2_control",
+     "gazebo_ros_pkgs", "gz_ros2_control", "ign_ros2_control", "ros2wasm_sim",
+     "ros2wasm_sim_control", "ros_gz", "ros_gz_bridge", "ros_gz_image", "ros_gz_interfaces",
+     "ros_gz_sim", "ros_ign_bridge", "ros_ign_gazebo", "ros_ign_image"});
 
 constexpr auto kPrograms =
     std::to_array<std::string_view>({"gazebo", "gz", "gzclient", "gzserver", "ign"});

@@ -17,7 +17,8 @@ namespace ros2wasm {
 
 /// The program that replaces a command line which starts Gazebo.
 struct SimulatorCommand {
-  /// A program of kSimulatorPackage. Empty: the command only opens a window; the page replaces it.
+  /// A program of kSimulatorPackage, and of kControlledSimulatorPackage. Empty: the command only
+  /// opens a window; the page replaces it.
   std::string program;
   std::vector<std::string> arguments;
 };

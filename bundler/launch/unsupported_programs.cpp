@@ -150,7 +150,7 @@ std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
   // In the place of Gazebo's own window.
   if (std::any_of(description.processes.begin(), description.processes.end(),
                   [](const LaunchProcess& process) {
-                    return process.node.package.value == kSimulatorPackage;
+                    return is_simulator(process.node.package.value);
                   }))
     add({.panel = "simulation"});
   return panels;

@@ -173,7 +173,8 @@ std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const f
 constexpr auto kNoLaunchFolders =
     std::to_array<std::string_view>({"build", "install", "log", "test", "tests"});
 
-std::vector<fs::path> launch_files(const fs::path& folder) {
+std::vector<fs::path> files_to_launch(const fs::path& folder,
+                                      bool (*is_one)(std::string_view name)) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
@@ -183,7 +184,7 @@ std::vector<fs::path> launch_files(const fs::path& folder) {
       const bool is_other = std::find(kNoLaunchFolders.begin(), kNoLaunchFolders.end(), name) !=
                             kNoLaunchFolders.end();
       if (is_other || name.starts_with('.')) it.disable_recursion_pending();
-    } else if (is_launch_file_name(name) && it->is_regular_file(error) &&
+    } else if (is_one(name) && it->is_regular_file(error) &&
                it->file_size(error) <= kBiggestScript) {
       files.push_back(it->path());
     }
@@ -192,18 +193,27 @@ std::vector<fs::path> launch_files(const fs::path& folder) {
   return files;
 }
 
+std::vector<fs::path> launch_files(const fs::path& folder) {
+  return files_to_launch(folder, is_launch_file_name);
+}
+
+/// Those that the launch files and the descriptions of a package name.
 std::vector<Spanned<std::string>> packages_of_launch_files(const fs::path& folder,
                                                            const fs::path& base,
                                                            const fs::path& shown_base) {
   std::vector<Spanned<std::string>> result;
   std::set<std::string> known;
-  for (const fs::path& file : launch_files(folder)) {
-    const auto text = read_file(file, kMostOfText);
-    if (!text) continue;
-    for (Spanned<std::string>& one : launch_packages(*text, shown_path(file, base, shown_base))) {
-      if (known.insert(one.value).second) result.push_back(std::move(one));
+  const auto add = [&](const std::vector<fs::path>& files, auto read_packages) {
+    for (const fs::path& file : files) {
+      const auto text = read_file(file, kMostOfText);
+      if (!text) continue;
+      for (Spanned<std::string>& one : read_packages(*text, shown_path(file, base, shown_base))) {
+        if (known.insert(one.value).second) result.push_back(std::move(one));
+      }
     }
-  }
+  };
+  add(launch_files(folder), launch_packages);
+  add(files_to_launch(folder, is_description_name), description_packages);
   return result;
 }
 

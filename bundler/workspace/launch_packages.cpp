@@ -170,4 +170,32 @@ std::vector<Spanned<std::string>> launch_packages(std::string_view text, const s
   return found;
 }
 
+bool is_description_name(std::string_view name) {
+  constexpr auto kDescriptions =
+      std::to_array<std::string_view>({".urdf", ".xacro", ".sdf", ".world"});
+  return std::any_of(kDescriptions.begin(), kDescriptions.end(),
+                     [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+std::vector<Spanned<std::string>> description_packages(std::string_view text,
+                                                       const std::string& file) {
+  struct Library {
+    std::string_view name, package;
+  };
+  constexpr auto kLibraries =
+      std::to_array<Library>({{"libgazebo_ros2_control", "gazebo_ros2_control"},
+                              {"gz_ros2_control-system", "gz_ros2_control"},
+                              {"ign_ros2_control-system", "ign_ros2_control"}});
+  std::vector<Spanned<std::string>> found;
+  for (const Library& library : kLibraries) {
+    const std::size_t at = text.find(library.name);
+    if (at == std::string_view::npos) continue;
+    found.push_back({.value = std::string(library.package),
+                     .span = SourceText(std::string(text), file).span(at, library.name.size())});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.span.line < b.span.line; });
+  return found;
+}
+
 }  // namespace ros2wasm

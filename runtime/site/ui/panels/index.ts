@@ -208,7 +208,7 @@ export const panels: readonly PanelRow[] = [
     icon: 'simulation',
     group: 'see',
     watched: true,
-    fits: (site) => site.nodes.some((node) => node.package === 'ros2wasm_sim'),
+    fits: (site) => site.nodes.some((node) => node.package === 'ros2wasm_sim' || node.package === 'ros2wasm_sim_control'),
     source: { kind: 'lazy', load: () => import('./simulation.tsx').then((file) => file.SimulationPanel) },
   },
   {

@@ -88,5 +88,20 @@ TEST(LaunchPackages, KnowsLaunchFilesByTheirNames) {
     EXPECT_FALSE(is_launch_file_name(name)) << name;
 }
 
+TEST(DescriptionPackages, AreThoseOfThePluginsThatAreLoaded) {
+  const auto found = description_packages(
+      "<robot>\n<plugin filename=\"libgz_ros2_control-system.so\" name=\"c\"/>\n"
+      "<plugin filename='libgazebo_ros2_control.so'/><plugin filename='gz_ros2_control-system'/>",
+      "a.xacro");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].value, "gz_ros2_control");
+  EXPECT_EQ(found[0].span.line, 2U);
+  EXPECT_EQ(found[1].value, "gazebo_ros2_control");
+  EXPECT_TRUE(
+      description_packages("<plugin filename='libgazebo_ros_diff_drive.so'/>", "a").empty());
+  EXPECT_TRUE(is_description_name("robot.urdf.xacro"));
+  EXPECT_FALSE(is_description_name("robot.launch.py"));
+}
+
 }  // namespace
 }  // namespace ros2wasm

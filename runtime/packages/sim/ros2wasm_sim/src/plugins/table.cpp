@@ -13,14 +13,6 @@
 namespace ros2wasm_sim {
 namespace {
 
-struct PluginRow {
-  Flavour flavour;
-  std::string_view
-      name;  ///< of the library without `lib` and `.so`, or of the class without its namespaces
-  MakePlugin make;
-  bool is_of_sensor = false;  ///< it needs a <sensor> of a link around it
-};
-
 constexpr std::array kPlugins{
     PluginRow{Flavour::kClassic, "gazebo_ros_ackermann_drive", make_classic_ackermann_drive},
     PluginRow{Flavour::kClassic, "gazebo_ros_bumper", make_classic_bumper, true},
@@ -136,28 +128,27 @@ bool is_system_of(const Plugin& plugin, const SensorRow& row) {
 /// Makes the plugins of one model or world.
 class Maker {
  public:
-  Maker(Host& host, Flavour flavour, Simulation& simulation, SharedScene& scene)
-      : host_(host), flavour_(flavour), simulation_(simulation), scene_(scene) {}
+  Maker(Host& host, Flavour flavour, Simulation& simulation, SharedScene& scene,
+        const std::vector<PluginRow>& more)
+      : host_(host), flavour_(flavour), simulation_(simulation), scene_(scene), more_(more) {}
 
   void add_plugin(const Plugin& plugin, const Model* model, const Link* link,
                   const Sensor* sensor) {
     const std::string name =
         flavour_ == Flavour::kClassic ? without_affixes(plugin.filename) : sim_name(plugin);
-    const auto is_named = [&](const PluginRow& one) {
-      return one.flavour == flavour_ && one.name == name;
-    };
-    const auto row = std::find_if(kPlugins.begin(), kPlugins.end(), is_named);
-    const auto of_world = std::find_if(kWorldPlugins.begin(), kWorldPlugins.end(), is_named);
-    if (row != kPlugins.end() && row->is_of_sensor && link == nullptr) {
+    const PluginRow* const row =
+        row_of(kPlugins, name) ? row_of(kPlugins, name) : row_of(more_, name);
+    const PluginRow* const of_world = row_of(kWorldPlugins, name);
+    if (row != nullptr && row->is_of_sensor && link == nullptr) {
       RCLCPP_ERROR(host_.node()->get_logger(),
                    "plugin [%s] (%s) does not work here: it must be inside a <sensor> of a link",
                    plugin.name.c_str(), plugin.filename.c_str());
-    } else if (row != kPlugins.end() && model != nullptr) {
+    } else if (row != nullptr && model != nullptr) {
       for (const std::string& remark : unread_elements(name, Parameters(plugin.xml)))
         RCLCPP_WARN(host_.node()->get_logger(), "plugin [%s] of [%s]: %s", plugin.name.c_str(),
                     model->name.c_str(), remark.c_str());
       make(row->make, {simulation_, host_, scene_, plugin, model, link, sensor});
-    } else if (of_world != kWorldPlugins.end() && model == nullptr) {
+    } else if (of_world != nullptr && model == nullptr) {
       make(of_world->make, {simulation_, host_, scene_, plugin, nullptr, nullptr, nullptr});
     } else if (!is_built_in(name) && !brings_sensors_to_life(plugin)) {
       const std::string shown = plugin.filename.empty() ? plugin.name : plugin.filename;
@@ -215,6 +206,15 @@ class Maker {
   std::vector<std::unique_ptr<System>> systems;
 
  private:
+  /// Null: there is none of that name.
+  template <typename Rows>
+  const PluginRow* row_of(const Rows& rows, std::string_view name) const {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const PluginRow& one) {
+      return one.flavour == flavour_ && one.name == name;
+    });
+    return found == rows.end() ? nullptr : &*found;
+  }
+
   void make(MakePlugin maker, const PluginContext& context) {
     try {
       systems.push_back(maker(context));
@@ -248,6 +248,7 @@ class Maker {
   Flavour flavour_;
   Simulation& simulation_;
   SharedScene& scene_;
+  const std::vector<PluginRow>& more_;
 };
 
 }  // namespace
@@ -263,7 +264,7 @@ JointHandle joint_of(const PluginContext& context, const std::string& name) {
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
                                                              Simulation& simulation) {
-  Maker maker(host_, flavour_, simulation, scene_);
+  Maker maker(host_, flavour_, simulation, scene_, more_);
   maker.check(model);
   for (const Link& link : model.links)
     for (const Sensor& sensor : link.sensors) maker.add_sensor(sensor, model, &link, nullptr);
@@ -275,7 +276,7 @@ std::vector<std::unique_ptr<System>> PluginTable::systems_of(const Model& model,
 
 std::vector<std::unique_ptr<System>> PluginTable::systems_of(const World& world,
                                                              Simulation& simulation) {
-  Maker maker(host_, flavour_, simulation, scene_);
+  Maker maker(host_, flavour_, simulation, scene_, more_);
   for (const Plugin& plugin : world.plugins) maker.add_plugin(plugin, nullptr, nullptr, nullptr);
   return std::move(maker.systems);
 }

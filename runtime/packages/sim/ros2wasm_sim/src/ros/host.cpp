@@ -31,8 +31,8 @@ void add_arguments(const std::string& text, std::vector<std::string>& arguments)
 
 }  // namespace
 
-Host::Host(rclcpp::Node::SharedPtr node, rclcpp::Executor& executor, std::uint64_t seed)
-    : node_(std::move(node)), executor_(executor), seed_(seed) {}
+Host::Host(rclcpp::Node::SharedPtr node, rclcpp::Executor::SharedPtr executor, std::uint64_t seed)
+    : node_(std::move(node)), executor_(std::move(executor)), seed_(seed) {}
 
 rclcpp::Node::SharedPtr Host::add_plugin_node(const Plugin& plugin) {
   const Parameters ros = Parameters(plugin.xml).inside("ros");
@@ -66,12 +66,12 @@ rclcpp::Node::SharedPtr Host::add_plugin_node(const Plugin& plugin) {
         ". This might be due to multiple plugins using the same name. Try changing one of "
         "the plugin names or use a different ROS namespace.");
   names_.push_back(name);
-  executor_.add_node(node);
+  executor_->add_node(node);
   return node;
 }
 
 void Host::remove_node(const rclcpp::Node::SharedPtr& node) {
-  executor_.remove_node(node);
+  executor_->remove_node(node);
   names_.erase(std::remove(names_.begin(), names_.end(), node->get_fully_qualified_name()),
                names_.end());
 }

@@ -22,9 +22,11 @@ inline builtin_interfaces::msg::Time stamp_of(std::int64_t time_ns) {
 class Host {
  public:
   /// `node` is that of the server.
-  Host(rclcpp::Node::SharedPtr node, rclcpp::Executor& executor, std::uint64_t seed);
+  Host(rclcpp::Node::SharedPtr node, rclcpp::Executor::SharedPtr executor, std::uint64_t seed);
 
   const rclcpp::Node::SharedPtr& node() const { return node_; }
+  /// Runs all nodes of the program, in its only thread.
+  const rclcpp::Executor::SharedPtr& executor() const { return executor_; }
   std::uint64_t seed() const { return seed_; }
 
   /// The node of a plugin of Gazebo Classic, with the namespace, remappings and parameters of its
@@ -34,7 +36,7 @@ class Host {
 
  private:
   rclcpp::Node::SharedPtr node_;
-  rclcpp::Executor& executor_;
+  rclcpp::Executor::SharedPtr executor_;
   std::uint64_t seed_;
   std::vector<std::string> names_;
 };

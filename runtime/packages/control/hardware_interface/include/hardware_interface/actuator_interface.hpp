@@ -1,0 +1,13 @@
+// The base of plugins for hardware with one joint.
+#pragma once
+
+#include "hardware_interface/hardware_component_interface.hpp"
+
+namespace hardware_interface {
+
+class ActuatorInterface : public HardwareComponentInterface {
+ public:
+  return_type write(const rclcpp::Time& time, const rclcpp::Duration& period) override = 0;
+};
+
+}  // namespace hardware_interface

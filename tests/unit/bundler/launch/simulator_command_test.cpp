@@ -51,7 +51,8 @@ TEST(SimulatorCommand, FindsWhatAShellWouldFind) {
 TEST(SimulatorCommand, KnowsItsPackages) {
   EXPECT_TRUE(is_simulator_package("gazebo_ros"));
   EXPECT_TRUE(is_simulator_package("ros_gz_bridge"));
-  EXPECT_FALSE(is_simulator_package("gazebo_ros2_control"));
+  EXPECT_TRUE(is_simulator_package("gazebo_ros2_control"));
+  EXPECT_FALSE(is_simulator_package("gazebo_ros_control"));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@ import { actionCommands } from './action_commands.ts';
 import { bagCommands } from './bag_commands.ts';
 import type { Command } from './command.ts';
 import { componentCommands } from './component_commands.ts';
+import { controlCommands } from './control_commands.ts';
+import { controlLists } from './control_lists.ts';
 import { daemonCommands } from './daemon_commands.ts';
 import { doctorCommand, wtfCommand } from './doctor_commands.ts';
 import { interfaceCommands } from './interface_commands.ts';
@@ -24,6 +26,8 @@ export const commands: readonly Command[] = [
   ...actionCommands,
   ...bagCommands,
   ...componentCommands,
+  ...controlCommands,
+  ...controlLists,
   ...daemonCommands,
   doctorCommand,
   ...interfaceCommands,

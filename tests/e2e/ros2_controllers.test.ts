@@ -141,10 +141,15 @@ class Driver : public rclcpp::Node {
         });
   }
 
+  // Between two messages on the line that they are on.
   double at(const std::string& joint, double time) {
-    double value = NAN;
-    for (const auto& [stamp, position] : joints[joint]) if (stamp <= time + 1e-6) value = position;
-    return value;
+    const auto& states = joints[joint];
+    for (size_t i = 1; i < states.size(); ++i) {
+      const auto& [before, from] = states[i - 1];
+      const auto& [after, to] = states[i];
+      if (before <= time && time <= after) return from + (to - from) * (time - before) / (after - before);
+    }
+    return states.back().second;
   }
 
   nav_msgs::msg::Odometry odom;
@@ -284,8 +289,9 @@ install(DIRECTORY config launch DESTINATION share/\${PROJECT_NAME})
 });
 after(() => workspace.close());
 
-/** The numbers after a text of a line. */
-function numbers(output: string, text: string): number[] {
+/** The numbers that the driver prints after a text. */
+function numbers(output: string, what: string): number[] {
+  const text = `[driver]: ${what}`;
   const line = output.split('\n').find((one) => one.includes(text));
   assert.ok(line, `no line has: ${text}\n${output}`);
   return line.slice(line.indexOf(text) + text.length).trim().split(/ +/).map(Number);

@@ -127,13 +127,14 @@ bool ResourceStorage::step(HardwareComponent& component, const char* name,
                            const rclcpp_lifecycle::State& (HardwareComponent::*action)(),
                            uint8_t wanted) {
   const std::string& component_name = component.get_name();
-  RCLCPP_INFO(logger_, "'%s' hardware '%s' ", name, component_name.c_str());
+  const rclcpp::Logger logger = rclcpp::get_logger("resource_manager");
+  RCLCPP_INFO(logger, "'%s' hardware '%s' ", name, component_name.c_str());
   const bool reached = guarded<bool>(
       name, component_name, [&] { return (component.*action)().id() == wanted; }, false);
   if (reached) {
-    RCLCPP_INFO(logger_, "Successful '%s' of hardware '%s'", name, component_name.c_str());
+    RCLCPP_INFO(logger, "Successful '%s' of hardware '%s'", name, component_name.c_str());
   } else {
-    RCLCPP_ERROR(logger_, "Failed to '%s' hardware '%s'", name, component_name.c_str());
+    RCLCPP_ERROR(logger, "Failed to '%s' hardware '%s'", name, component_name.c_str());
   }
   return reached;
 }

@@ -37,8 +37,10 @@ DeclaredClasses::DeclaredClasses(std::string package, std::string base_class, st
       attribute_(std::move(attribute)),
       paths_are_given_(!paths.empty()),
       paths_(std::move(paths)) {
-  ament_index_cpp::get_package_prefix(package_);
   refresh();
+  // A site has the index entries of packages with files; a package of headers that plugins name as
+  // their base exists all the same.
+  if (paths_.empty()) ament_index_cpp::get_package_prefix(package_);
 }
 
 /// Classes of libraries in use stay as they are.

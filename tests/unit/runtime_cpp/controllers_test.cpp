@@ -10,6 +10,7 @@
 #include "diff_drive_controller/speed_limiter.hpp"
 #include "joint_state_broadcaster/joint_data.hpp"
 #include "ros2wasm_parameters/rules.hpp"
+#include "steering_controllers_library/steering_kinematics.hpp"
 
 namespace {
 
@@ -109,6 +110,59 @@ TEST(SpeedLimiter, RefusesLimitsThatAreTheWrongWayRound) {
   EXPECT_THROW(SpeedLimiter(2.0, 1.0, kNan, kNan, kNan, kNan, kNan, kNan), std::invalid_argument);
   EXPECT_THROW(SpeedLimiter(kNan, kNan, 3.0, 2.0, kNan, kNan, kNan, kNan), std::invalid_argument);
   EXPECT_THROW(SpeedLimiter(kNan, kNan, kNan, 2.0, 3.0, 1.0, kNan, kNan), std::invalid_argument);
+}
+
+using steering_kinematics::SteeringKinematics;
+
+/// A base of 2 m with wheels of 0.5 m that are 1 m apart.
+SteeringKinematics steered(unsigned int type) {
+  SteeringKinematics base;
+  base.set_odometry_type(type);
+  base.set_wheel_params(0.5, 2.0, 1.0);
+  return base;
+}
+
+TEST(Steering, BicycleTurnsItsWheelByTheCurve) {
+  const auto base = steered(steering_kinematics::BICYCLE_CONFIG);
+  const auto [traction, steering] = base.get_commands(1.0, 0.25);
+  EXPECT_NEAR(traction.at(0), 2.0, 1e-12);
+  EXPECT_NEAR(steering.at(0), std::atan(0.5), 1e-12);
+  EXPECT_EQ(std::get<1>(base.get_commands(0.0, 0.0)).at(0), 0.0) << "standing";
+}
+
+TEST(Steering, TricycleDrivesTheOuterWheelFaster) {
+  const auto [traction, steering] =
+      steered(steering_kinematics::TRICYCLE_CONFIG).get_commands(1.0, 0.25);
+  // To the left with a radius of 4 m: the right wheel is on 4.5 m.
+  EXPECT_NEAR(traction.at(0), 2.0 * 4.5 / 4.0, 1e-12);
+  EXPECT_NEAR(traction.at(1), 2.0 * 3.5 / 4.0, 1e-12);
+  EXPECT_EQ(steering.size(), 1u);
+}
+
+TEST(Steering, AckermannSteersBothWheelsToOneCentre) {
+  auto base = steered(steering_kinematics::ACKERMANN_CONFIG);
+  const auto [traction, steering] = base.get_commands(1.0, 0.25);
+  EXPECT_NEAR(steering.at(0), std::atan(2.0 / 4.5), 1e-12);
+  EXPECT_NEAR(steering.at(1), std::atan(2.0 / 3.5), 1e-12);
+  // What the wheels report gives the reference back.
+  for (int i = 0; i < 100; ++i) {
+    base.update_from_velocity(traction[0], traction[1], steering[0], steering[1], kCycle);
+  }
+  EXPECT_NEAR(base.get_linear(), 1.0, 1e-9);
+  EXPECT_NEAR(base.get_angular(), 0.25, 1e-9);
+  EXPECT_NEAR(base.get_heading(), 0.25, 1e-9);
+  EXPECT_NEAR(base.get_x(), 4.0 * std::sin(0.25), 1e-9);
+  EXPECT_NEAR(base.get_y(), 4.0 * (1.0 - std::cos(0.25)), 1e-9);
+}
+
+TEST(Steering, SlowsDownUntilTheWheelIsTurned) {
+  auto base = steered(steering_kinematics::BICYCLE_CONFIG);
+  base.update_from_position(0.0, 0.0, kCycle);
+  const auto [traction, steering] = base.get_commands(1.0, 1.0, false, true);
+  const double off = std::atan(2.0);
+  EXPECT_NEAR(traction.at(0), 2.0 * std::cos(off) / std::cos(M_PI / 6), 1e-12);
+  base.update_from_position(0.0, off, kCycle);
+  EXPECT_NEAR(std::get<0>(base.get_commands(1.0, 1.0, false, true)).at(0), 2.0, 1e-12);
 }
 
 using Names = std::vector<std::string>;

@@ -61,8 +61,8 @@ TEST(Spline, DeducesPositionsFromDerivatives) {
   PathPoint a = point(0, {1.0});
   PathPoint b = point(0, {}, {}, {2.0});
   deduce_from_derivatives(a, b, 1, 2.0);
-  EXPECT_DOUBLE_EQ(b.velocities[0], 2.0);   // (0 + 2) / 2 for 2 s
-  EXPECT_DOUBLE_EQ(b.positions[0], 3.0);    // (0 + 2) / 2 for 2 s
+  EXPECT_DOUBLE_EQ(b.velocities[0], 2.0);  // (0 + 2) / 2 for 2 s
+  EXPECT_DOUBLE_EQ(b.positions[0], 3.0);   // (0 + 2) / 2 for 2 s
   EXPECT_EQ(a.effort, std::vector<double>{0.0});
 }
 

@@ -20,12 +20,11 @@ void describe_axis(Declarations& of, const std::string& axis, AxisLimits& limits
   of.add(axis + "has_jerk_limits", limits.has_jerk_limits, {kDeprecated});
   of.add(axis + "max_velocity", limits.max_velocity, {""}, {gt_eq_or_nan(0.0)});
   of.add(axis + "min_velocity", limits.min_velocity, {""}, {lt_eq_or_nan(0.0)});
-  of.add(axis + "max_acceleration", limits.max_acceleration,
-         {"Greatest gain of speed, forwards."}, {gt_eq_or_nan(0.0)});
-  of.add(axis + "max_deceleration", limits.max_deceleration,
-         {"Greatest loss of speed, forwards."}, {lt_eq_or_nan(0.0)});
-  of.add(axis + "min_acceleration", limits.min_acceleration,
-         {"deprecated, use max_deceleration"});
+  of.add(axis + "max_acceleration", limits.max_acceleration, {"Greatest gain of speed, forwards."},
+         {gt_eq_or_nan(0.0)});
+  of.add(axis + "max_deceleration", limits.max_deceleration, {"Greatest loss of speed, forwards."},
+         {lt_eq_or_nan(0.0)});
+  of.add(axis + "min_acceleration", limits.min_acceleration, {"deprecated, use max_deceleration"});
   of.add(axis + "max_acceleration_reverse", limits.max_acceleration_reverse,
          {"Greatest gain of speed, backwards; -max_acceleration when it is not set."},
          {lt_eq_or_nan(0.0)});

@@ -286,7 +286,9 @@ void DiffDriveController::halt() {
   }
 }
 
-bool DiffDriveController::on_set_chained_mode(bool) { return true; }
+bool DiffDriveController::on_set_chained_mode(bool) {
+  return true;
+}
 
 std::vector<hardware_interface::CommandInterface::SharedPtr>
 DiffDriveController::on_export_reference_interfaces_list() {

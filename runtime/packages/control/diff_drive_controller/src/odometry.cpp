@@ -74,7 +74,9 @@ void Odometry::integrate(double linear, double angular) {
   y_ -= radius * (std::cos(heading_) - std::cos(before));
 }
 
-void Odometry::resetOdometry() { x_ = y_ = heading_ = 0.0; }
+void Odometry::resetOdometry() {
+  x_ = y_ = heading_ = 0.0;
+}
 
 void Odometry::setWheelParams(double wheel_separation, double left_wheel_radius,
                               double right_wheel_radius) {

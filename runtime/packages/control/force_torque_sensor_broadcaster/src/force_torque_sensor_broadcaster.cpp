@@ -73,10 +73,10 @@ bool ForceTorqueSensorBroadcaster::choose_sensor() {
                  "not be specified together.");
     return false;
   }
-  sensor_ = has_names ? std::make_unique<semantic_components::ForceTorqueSensor>(
-                            names[0], names[1], names[2], names[3], names[4], names[5])
-                      : std::make_unique<semantic_components::ForceTorqueSensor>(
-                            params_.sensor_name);
+  sensor_ = has_names
+                ? std::make_unique<semantic_components::ForceTorqueSensor>(
+                      names[0], names[1], names[2], names[3], names[4], names[5])
+                : std::make_unique<semantic_components::ForceTorqueSensor>(params_.sensor_name);
   return true;
 }
 
@@ -147,8 +147,8 @@ ForceTorqueSensorBroadcaster::on_export_state_interfaces_list() {
       exported.push_back(std::make_shared<hardware_interface::StateInterface>(
           name + "/" + params_.sensor_name, kAxisNames[i]));
     } else if (!params_.interface_names[i].empty()) {
-      exported.push_back(std::make_shared<hardware_interface::StateInterface>(
-          name, params_.interface_names[i]));
+      exported.push_back(
+          std::make_shared<hardware_interface::StateInterface>(name, params_.interface_names[i]));
     }
   }
   return exported;

@@ -125,10 +125,9 @@ void JointStateBroadcaster::map_interface(const std::string& standard,
 
 void JointStateBroadcaster::create_publishers() {
   const std::string prefix = params_.use_local_topics ? "~/" : "";
-  realtime_joint_state_publisher_ =
-      std::make_shared<realtime_tools::RealtimePublisher<JointState>>(
-          get_node()->create_publisher<JointState>(prefix + "joint_states",
-                                                   rclcpp::SystemDefaultsQoS()));
+  realtime_joint_state_publisher_ = std::make_shared<realtime_tools::RealtimePublisher<JointState>>(
+      get_node()->create_publisher<JointState>(prefix + "joint_states",
+                                               rclcpp::SystemDefaultsQoS()));
   if (!params_.publish_dynamic_joint_states) return;
   realtime_dynamic_joint_state_publisher_ =
       std::make_shared<realtime_tools::RealtimePublisher<DynamicJointState>>(

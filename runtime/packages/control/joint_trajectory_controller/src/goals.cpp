@@ -112,8 +112,7 @@ void JointTrajectoryController::on_accepted(const std::shared_ptr<GoalHandle>& h
   }
   tolerances.goal_time_s = rclcpp::Duration(goal.goal_time_tolerance).seconds();
   std::string problem;
-  active_tolerances_ =
-      segment_tolerances(default_tolerances_, tolerances, params_.joints, problem);
+  active_tolerances_ = segment_tolerances(default_tolerances_, tolerances, params_.joints, problem);
   if (!problem.empty()) {
     RCLCPP_ERROR(get_node()->get_logger().get_child("tolerance"), "%s", problem.c_str());
   }

@@ -1,4 +1,4 @@
-// What JointTrajectoryController reads from and writes to its interfaces.
+// The values that JointTrajectoryController reads from and writes to its interfaces.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -129,10 +129,10 @@ void JointTrajectoryController::write_commands(const rclcpp::Duration& period) {
     for (size_t i = 0; i < command_joints_.size(); ++i) {
       const size_t joint = command_places_[i];
       // The velocity that is wanted, and the effort, count beside the error.
-      output[joint] = value_of(next_.velocities, joint) * ff_velocity_scale_[i] +
-                      (commands_.effort ? value_of(next_.effort, joint) : 0.0) +
-                      pids_[i]->compute_command(error_.positions[joint], error_.velocities[joint],
-                                                period);
+      output[joint] =
+          value_of(next_.velocities, joint) * ff_velocity_scale_[i] +
+          (commands_.effort ? value_of(next_.effort, joint) : 0.0) +
+          pids_[i]->compute_command(error_.positions[joint], error_.velocities[joint], period);
     }
   }
   if (commands_.position) write(0, next_.positions);

@@ -29,8 +29,7 @@ std::string check_command_interfaces(const std::string&, const Names& names) {
     return "'acceleration' command interface can only be used if 'velocity' and 'position' "
            "command interfaces are present";
   }
-  const bool is_effort_right =
-      names.size() == 1 || (names.size() == 2 && has(names, "position"));
+  const bool is_effort_right = names.size() == 1 || (names.size() == 2 && has(names, "position"));
   if (has(names, "effort") && !is_effort_right) {
     return "'effort' command interface has to be used alone or with a 'position' interface";
   }

@@ -126,8 +126,8 @@ CallbackReturn JointTrajectoryController::on_configure(const rclcpp_lifecycle::S
   if (!choose_joints() || !choose_interfaces()) return CallbackReturn::FAILURE;
   log_interfaces();
   default_tolerances_ = active_tolerances_ = tolerances_of_parameters();
-  interpolation_ = params_.interpolation_method == "none" ? Interpolation::kNone
-                                                          : Interpolation::kSplines;
+  interpolation_ =
+      params_.interpolation_method == "none" ? Interpolation::kNone : Interpolation::kSplines;
   RCLCPP_INFO(get_node()->get_logger(), "Using '%s' interpolation method.",
               params_.interpolation_method.c_str());
   create_topics();
@@ -174,7 +174,8 @@ bool JointTrajectoryController::choose_interfaces() {
   commands_ = kinds_of(params_.command_interfaces);
   states_ = kinds_of(params_.state_interfaces);
   const bool is_single = params_.command_interfaces.size() == 1;
-  uses_pids_ = is_single && (commands_.effort || (commands_.velocity && !params_.open_loop_control));
+  uses_pids_ =
+      is_single && (commands_.effort || (commands_.velocity && !params_.open_loop_control));
   const bool has_feedback = states_.position && states_.velocity;
   if (commands_.velocity && is_single && !has_feedback) {
     RCLCPP_ERROR(logger,
@@ -271,10 +272,9 @@ void JointTrajectoryController::create_services() {
       [this](const std::shared_ptr<GoalHandle> goal) { return on_cancel(goal); },
       [this](const std::shared_ptr<GoalHandle> goal) { on_accepted(goal); });
   query_service_ = node->create_service<QueryState>(
-      name + "/query_state", [this](const std::shared_ptr<QueryState::Request> request,
-                                    std::shared_ptr<QueryState::Response> response) {
-        on_query(*request, *response);
-      });
+      name + "/query_state",
+      [this](const std::shared_ptr<QueryState::Request> request,
+             std::shared_ptr<QueryState::Response> response) { on_query(*request, *response); });
 }
 
 void JointTrajectoryController::set_up_scaling() {
@@ -284,12 +284,11 @@ void JointTrajectoryController::set_up_scaling() {
   if (!commands_.velocity && !commands_.acceleration && !commands_.effort) {
     rclcpp::SystemDefaultsQoS qos;
     qos.transient_local();
-    scaling_subscription_ =
-        get_node()->create_subscription<control_msgs::msg::SpeedScalingFactor>(
-            "~/speed_scaling_input", qos,
-            [this](const std::shared_ptr<control_msgs::msg::SpeedScalingFactor> message) {
-              set_scaling_factor(message->factor);
-            });
+    scaling_subscription_ = get_node()->create_subscription<control_msgs::msg::SpeedScalingFactor>(
+        "~/speed_scaling_input", qos,
+        [this](const std::shared_ptr<control_msgs::msg::SpeedScalingFactor> message) {
+          set_scaling_factor(message->factor);
+        });
     RCLCPP_INFO(logger, "Setting initial scaling factor to %2f", scaling.initial_scaling_factor);
     scaling_factor_ = scaling.initial_scaling_factor;
   } else if (scaling.initial_scaling_factor != 1.0) {

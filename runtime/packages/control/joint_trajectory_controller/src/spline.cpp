@@ -33,18 +33,18 @@ Polynomial quintic(const End& a, const End& b, double t) {
   if (t == 0.0) return {a.position, a.velocity, a.acceleration / 2.0};
   const double t2 = t * t;
   const double way = b.position - a.position;
-  return {a.position,
-          a.velocity,
-          a.acceleration / 2.0,
-          (20.0 * way - (8.0 * b.velocity + 12.0 * a.velocity) * t -
-           (3.0 * a.acceleration - b.acceleration) * t2) /
-              (2.0 * t2 * t),
-          (-30.0 * way + (14.0 * b.velocity + 16.0 * a.velocity) * t +
-           (3.0 * a.acceleration - 2.0 * b.acceleration) * t2) /
-              (2.0 * t2 * t2),
-          (12.0 * way - 6.0 * (b.velocity + a.velocity) * t +
-           (b.acceleration - a.acceleration) * t2) /
-              (2.0 * t2 * t2 * t)};
+  return {
+      a.position,
+      a.velocity,
+      a.acceleration / 2.0,
+      (20.0 * way - (8.0 * b.velocity + 12.0 * a.velocity) * t -
+       (3.0 * a.acceleration - b.acceleration) * t2) /
+          (2.0 * t2 * t),
+      (-30.0 * way + (14.0 * b.velocity + 16.0 * a.velocity) * t +
+       (3.0 * a.acceleration - 2.0 * b.acceleration) * t2) /
+          (2.0 * t2 * t2),
+      (12.0 * way - 6.0 * (b.velocity + a.velocity) * t + (b.acceleration - a.acceleration) * t2) /
+          (2.0 * t2 * t2 * t)};
 }
 
 /// The value and its first two derivatives at a time.

@@ -49,9 +49,7 @@ struct Checked {
   double error;
   double tolerance;
 
-  [[nodiscard]] bool is_within() const {
-    return !(tolerance > 0.0 && std::abs(error) > tolerance);
-  }
+  [[nodiscard]] bool is_within() const { return !(tolerance > 0.0 && std::abs(error) > tolerance); }
 };
 
 double value_of(const std::vector<double>& values, size_t joint) {
@@ -68,8 +66,7 @@ std::array<Checked, 3> checked(const PathPoint& error, size_t joint,
 }  // namespace
 
 SegmentTolerances segment_tolerances(const SegmentTolerances& defaults, const GoalTolerances& goal,
-                                     const std::vector<std::string>& joints,
-                                     std::string& problem) {
+                                     const std::vector<std::string>& joints, std::string& problem) {
   SegmentTolerances tolerances = defaults;
   if (!resolve(tolerances.goal_time_tolerance, goal.goal_time_s)) {
     problem = "Specified illegal goal_time_tolerance: " + std::to_string(goal.goal_time_s) +

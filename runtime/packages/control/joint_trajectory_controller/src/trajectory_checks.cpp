@@ -9,7 +9,9 @@
 namespace joint_trajectory_controller {
 namespace {
 
-double seconds(int64_t ns) { return static_cast<double>(ns) * 1e-9; }
+double seconds(int64_t ns) {
+  return static_cast<double>(ns) * 1e-9;
+}
 
 std::string why_names_refused(const PathRequest& request, const TrajectoryRules& rules) {
   if (!rules.allows_partial_joints && request.joints.size() != rules.joints.size()) {

@@ -94,9 +94,8 @@ void PidController::create_topics() {
   qos.keep_last(1);
   qos.best_effort();
   reference_subscription_ = node->create_subscription<ControllerReferenceMsg>(
-      "~/reference", qos, [this](const std::shared_ptr<ControllerReferenceMsg> message) {
-        on_reference(*message);
-      });
+      "~/reference", qos,
+      [this](const std::shared_ptr<ControllerReferenceMsg> message) { on_reference(*message); });
   if (params_.use_external_measured_states) {
     state_subscription_ = node->create_subscription<ControllerMeasuredStateMsg>(
         "~/measured_state", qos, [this](const std::shared_ptr<ControllerMeasuredStateMsg> message) {
@@ -221,7 +220,9 @@ PidController::on_export_state_interfaces_list() {
   return exported;
 }
 
-bool PidController::on_set_chained_mode(bool) { return true; }
+bool PidController::on_set_chained_mode(bool) {
+  return true;
+}
 
 void PidController::set_first_setpoint() {
   read_measured_state();

@@ -10,7 +10,7 @@
 
 namespace diff_drive_controller {
 
-/// Of one axis; NaN: no limit, or the one of the other direction.
+/// The limits of one axis; NaN: no limit, or the one of the other direction.
 struct AxisLimits {
   static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
   bool has_velocity_limits = true;  ///< deprecated, as the next two

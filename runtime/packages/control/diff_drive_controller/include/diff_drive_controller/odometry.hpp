@@ -14,14 +14,14 @@ struct WheelSpeeds {
   double right = 0.0;
 };
 
-/// Of a base, in metres.
+/// The wheels of a base, in metres.
 struct WheelGeometry {
   double separation = 0.0;
   double left_radius = 0.0;
   double right_radius = 0.0;
 };
 
-/// What the wheels must do for a speed [m/s] and a rate of turn [rad/s].
+/// The speeds that the wheels need for a speed [m/s] and a rate of turn [rad/s].
 WheelSpeeds wheel_speeds(double linear, double angular, const WheelGeometry& geometry);
 
 class Odometry {
@@ -44,8 +44,7 @@ class Odometry {
   double getLinear() const { return linear_; }    ///< [m/s]
   double getAngular() const { return angular_; }  ///< [rad/s]
 
-  void setWheelParams(double wheel_separation, double left_wheel_radius,
-                      double right_wheel_radius);
+  void setWheelParams(double wheel_separation, double left_wheel_radius, double right_wheel_radius);
   void setVelocityRollingWindowSize(size_t velocity_rolling_window_size);
 
  private:

@@ -1,4 +1,4 @@
-// What all controllers have that pass on ~/commands as they come.
+// The base of controllers that pass on ~/commands as they come.
 #pragma once
 
 #include <memory>

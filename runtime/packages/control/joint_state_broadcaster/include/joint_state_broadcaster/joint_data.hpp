@@ -46,8 +46,7 @@ class JointData {
   }
 
  private:
-  void choose_names(const std::vector<JointInterface>& interfaces,
-                    const JointDataOptions& options);
+  void choose_names(const std::vector<JointInterface>& interfaces, const JointDataOptions& options);
   void add_extra_joints(const std::vector<std::string>& extra_joints);
 
   std::map<std::string, std::map<std::string, double>> values_;

@@ -69,8 +69,8 @@ class JointTrajectoryController : public controller_interface::ControllerInterfa
     bool is_violated_on_the_way = false;
     bool is_outside_goal = false;
     bool is_in_time = true;
-    bool is_over = false;      ///< after the last point
-    double late_s = 0.0;       ///< since the segment began
+    bool is_over = false;  ///< after the last point
+    double late_s = 0.0;   ///< since the segment began
   };
 
   // jtc_setup.cpp

@@ -37,8 +37,8 @@ class Path {
   /// The state that the way to the first point starts from.
   void set_point_before(int64_t time_ns, const PathPoint& state, const std::vector<bool>& wraps);
 
-  /// What is wanted at a time; nothing before set_point_before()'s time. A sample that does not
-  /// only look (`only_looks`) forgets the segments before it.
+  /// The state that is wanted at a time; nothing before set_point_before()'s time. A sample that
+  /// does not only look (`only_looks`) forgets the segments before it.
   std::optional<Segment> sample(int64_t time_ns, Interpolation method, PathPoint& wanted,
                                 bool only_looks = false);
 

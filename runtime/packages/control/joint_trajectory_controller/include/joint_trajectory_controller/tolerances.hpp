@@ -8,7 +8,7 @@
 
 namespace joint_trajectory_controller {
 
-/// Of one joint; 0: not checked.
+/// The tolerances of one joint; 0: not checked.
 struct StateTolerances {
   double position = 0.0;
   double velocity = 0.0;
@@ -23,7 +23,8 @@ struct SegmentTolerances {
   double goal_time_tolerance = 0.0;                   ///< [s] after the end; 0: no limit
 };
 
-/// What a goal wants for a joint: 0 keeps the default, -1 means no limit, more than 0 replaces it.
+/// The tolerances that a goal wants for a joint: 0 keeps the default, -1 means no limit, more than
+/// 0 replaces it.
 struct JointTolerance {
   std::string name;
   StateTolerances wanted;

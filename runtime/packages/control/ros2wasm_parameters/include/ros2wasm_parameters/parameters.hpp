@@ -25,7 +25,7 @@ namespace ros2wasm_parameters {
 
 enum Access : uint8_t { kDynamic, kReadOnly };
 
-/// What `ros2 param describe` prints.
+/// The part of a description that `ros2 param describe` prints.
 struct About {
   std::string description;
   Access access = kDynamic;

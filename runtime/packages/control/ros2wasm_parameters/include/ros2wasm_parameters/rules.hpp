@@ -1,4 +1,4 @@
-// What a parameter's value must be. The texts are those of generate_parameter_library, so that a
+// Rules for the value of a parameter. The texts are those of generate_parameter_library, so that a
 // refused value reads as on a robot. Knows nothing of ROS.
 #pragma once
 
@@ -23,7 +23,9 @@ struct Rule {
   double to = std::numeric_limits<double>::infinity();
 };
 
-inline std::string text_of(const std::string& value) { return value; }
+inline std::string text_of(const std::string& value) {
+  return value;
+}
 inline std::string text_of(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
@@ -113,30 +115,30 @@ Rule<T> not_empty() {
 template <class T>
 Rule<T> size_gt(size_t size) {
   return {[size](const std::string& name, const T& value) {
-    return value.size() > size ? std::string()
-                               : "Length of parameter '" + name + "' is '" +
-                                     std::to_string(value.size()) + "' but must be greater than '" +
-                                     std::to_string(size) + "'";
+    return value.size() > size
+               ? std::string()
+               : "Length of parameter '" + name + "' is '" + std::to_string(value.size()) +
+                     "' but must be greater than '" + std::to_string(size) + "'";
   }};
 }
 
 template <class T>
 Rule<T> size_lt(size_t size) {
   return {[size](const std::string& name, const T& value) {
-    return value.size() < size ? std::string()
-                               : "Length of parameter '" + name + "' is '" +
-                                     std::to_string(value.size()) + "' but must be less than '" +
-                                     std::to_string(size) + "'";
+    return value.size() < size
+               ? std::string()
+               : "Length of parameter '" + name + "' is '" + std::to_string(value.size()) +
+                     "' but must be less than '" + std::to_string(size) + "'";
   }};
 }
 
 template <class T>
 Rule<T> fixed_size(size_t size) {
   return {[size](const std::string& name, const T& value) {
-    return value.size() == size ? std::string()
-                                : "Length of parameter '" + name + "' is '" +
-                                      std::to_string(value.size()) + "' but must be equal to '" +
-                                      std::to_string(size) + "'";
+    return value.size() == size
+               ? std::string()
+               : "Length of parameter '" + name + "' is '" + std::to_string(value.size()) +
+                     "' but must be equal to '" + std::to_string(size) + "'";
   }};
 }
 

@@ -38,8 +38,8 @@ class RateLimiter {
       if (!std::isnan(max_first_derivative_neg)) pos_neg.max = max_first_derivative_neg;
       if (pos_neg.min > pos_neg.max) throw std::invalid_argument(wrong_first);
     }
-    const Limits second = limits(min_second_derivative, max_second_derivative,
-                                 "Invalid second derivative limits");
+    const Limits second =
+        limits(min_second_derivative, max_second_derivative, "Invalid second derivative limits");
     value_ = value;
     first_at_rest_ = neg_pos;
     first_above_ = {neg_pos.are_on, pos_neg.min, neg_pos.max};

@@ -10,6 +10,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/languages/language.hpp"
 #include "bundler/notebook_files.hpp"
+#include "bundler/python_libraries_of_site.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/workspace/bringup_file.hpp"
 #include "bundler/workspace/build_order.hpp"
@@ -125,7 +126,10 @@ std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
 Outcome<RepoIndex> locked_index(const fs::path& lock_file, LockRest& rest) {
   auto lock = read_lock_file(lock_file);
   if (!lock) return std::move(lock).errors();
-  rest = {.absent = std::move(lock->absent), .wheels = std::move(lock->wheels)};
+  rest = {.absent = std::move(lock->absent),
+          .wheels = std::move(lock->wheels),
+          .python_index = std::move(lock->python_index),
+          .libraries = std::move(lock->libraries)};
   std::vector<std::string> names;
   for (const PackageRecord& record : lock->packages) names.push_back(record.name);
   std::sort(names.begin(), names.end());
@@ -141,6 +145,18 @@ std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) 
   std::vector<ChannelSource> places;
   for (const PackageRecord& record : records) places.push_back({record.url, std::nullopt});
   return places;
+}
+
+/// Each once, sorted by text as they are.
+void add_specs(std::vector<RequestedSpec> specs, ChannelRequest& wanted) {
+  const auto is_before = [](const RequestedSpec& a, const RequestedSpec& b) {
+    return a.text < b.text;
+  };
+  for (RequestedSpec& one : specs) {
+    const auto place = std::lower_bound(wanted.specs.begin(), wanted.specs.end(), one, is_before);
+    if (place == wanted.specs.end() || place->text != one.text)
+      wanted.specs.insert(place, std::move(one));
+  }
 }
 
 }  // namespace
@@ -200,6 +216,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   auto order = order_packages(*packages, manifest.distro);
   if (!order) return std::move(order).errors();
   KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
+  std::vector<LockedLibrary> frozen_libraries;
   std::vector<PackageRecord> packaged;  // for versions of the compiler
   std::optional<OpenChannels> open;
   Outcome<RepoIndex> index = RepoIndex();
@@ -212,6 +229,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
       faults.back().fix.emplace_back("ros2wasm lock");
       return faults;
     }
+    frozen_libraries = std::move(rest.libraries);
     known.names = index->names();
     for (const PackageRecord& record : index->records)
       if (record.name == kCompilerPackage) packaged.push_back(record);
@@ -228,12 +246,22 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   }
   compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
   if (!compiler) return std::move(compiler).errors();
+  auto more =
+      ask_for_libraries(request.executable, *wheels, known, *notebook_needs, *packages, workspace);
+  if (!more) return std::move(more).errors();
+  if (request.frozen) {
+    if (auto faults = other_libraries(frozen_libraries, workspace.libraries); !faults.empty()) {
+      faults.back().fix.emplace_back("ros2wasm lock");
+      return faults;
+    }
+  }
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
   Lacks lacks = packages_with_lacks(*packages, left_out, known, manifest.distro);
   auto wanted =
       channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
   if (!wanted) return std::move(wanted).errors();
-  add_wheel_request(*wheels, known, manifest.distro, *wanted);
+  add_wheel_request(*wheels, known, manifest.distro, workspace.libraries, *wanted);
+  add_specs(std::move(*more), *wanted);
   if (open) {
     std::vector<std::string> texts;
     for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
@@ -245,6 +273,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   }
   append(workspace.warnings, wanted->warnings);
   workspace.channel_names = known.names;
+  workspace.roots = roots;
+  workspace.limits = *limits;
   workspace.wheels = std::move(*wheels);
   std::vector<std::string> all_packages = ros_names(known.names, manifest.distro);
   return Question{.workspace = std::move(workspace),
@@ -265,7 +295,9 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
                                             const Cancellation& cancellation) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
   const LockRest rest{.absent = question.absent,
-                      .wheels = locked_wheels(question.workspace.wheels)};
+                      .wheels = locked_wheels(question.workspace.wheels),
+                      .python_index = question.workspace.python_index,
+                      .libraries = question.workspace.libraries};
   auto solved = solve_with_lock(question.specs, rest, question.index, lock_file,
                                 question.workspace.manifest.channel_priority, request.locked, {},
                                 cancellation);

@@ -284,7 +284,9 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     return report;
   }
   const LockRest rest{.absent = question->absent,
-                      .wheels = locked_wheels(question->workspace.wheels)};
+                      .wheels = locked_wheels(question->workspace.wheels),
+                      .python_index = question->workspace.python_index,
+                      .libraries = question->workspace.libraries};
   auto solved = solve_with_lock(question->specs, rest, question->index, report.file,
                                 question->workspace.manifest.channel_priority, false,
                                 request.update, cancellation);

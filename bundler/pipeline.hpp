@@ -14,6 +14,7 @@
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/page_notebook.hpp"
+#include "bundler/workspace/python_libraries.hpp"
 #include "workspace_schema/base/cancellation.hpp"
 #include "workspace_schema/base/outcome.hpp"
 #include "workspace_schema/base/progress_event.hpp"
@@ -66,6 +67,11 @@ struct BuiltWorkspace {
   std::vector<ChannelFile> channel;       ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
+  PythonLibraries offered;               ///< what Pyodide's distribution has
+  std::vector<LockedLibrary> libraries;  ///< what the workspace asks of it, sorted by project
+  std::string python_index;              ///< where their files come from
+  ChannelRoots roots;                    ///< and how
+  ExtractLimits limits;                  ///< of archives
   std::string lock_text;  ///< what ros2wasm.lock says, or would say if it were written
   Diagnostics warnings;
   std::vector<std::string> remarks;  ///< what was chosen and done, for people

@@ -1,8 +1,8 @@
 // See program_files.hpp.
 #include "bundler/program_files.hpp"
 
+#include "bundler/archive/wasm_module.hpp"
 #include "bundler/build/exception_encoding.hpp"
-#include "bundler/build/wasm_module.hpp"
 #include "bundler/io/files.hpp"
 
 namespace ros2wasm {

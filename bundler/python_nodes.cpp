@@ -11,6 +11,7 @@
 #include "bundler/launch/host/import_check.hpp"
 #include "bundler/launch/host/python_syntax.hpp"
 #include "bundler/launch_tools.hpp"
+#include "bundler/python_libraries_of_site.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/cache_place.hpp"
@@ -66,6 +67,7 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
     for (const std::string& one : *part) workspace.remarks.push_back("skipped " + one);
   }
   for (const NamedWheel& one : workspace.wheels) {
+    if (!one.wheel.side_modules.empty()) continue;  // see add_libraries()
     for (const auto& [file, bytes] : one.wheel.files) input.wheels.emplace(installed(file), bytes);
   }
   input.sources = python_sources(input.workspace, workspace.watched, workspace.folder);
@@ -120,16 +122,43 @@ Outcome<InvalidFiles> invalid_files(const PackRequest& request, const BuiltWorks
   return result;
 }
 
+PythonWorld world_of(const BuiltWorkspace& workspace, const PythonInput& python,
+                     const InterfaceTexts& interfaces) {
+  return {.workspace = python.workspace,
+          .channels = python.channels,
+          .wheels = python.wheels,
+          .interfaces = interfaces,
+          .channel_names = workspace.channel_names,
+          .distro = workspace.manifest.distro,
+          .libraries = site_libraries(workspace).project_of,
+          .offered = workspace.offered.project_of,
+          .takes_offered = takes_libraries(workspace.manifest)};
+}
+
+/// The libraries that a program imports, with what these need, which may be a channel's.
+void take_libraries(const ImportReport& report, const PythonInput& python,
+                    std::vector<std::string>& libraries, std::vector<std::string>& compiled) {
+  std::set<std::string> wanted = report.libraries;
+  wanted.insert(python.for_all.begin(), python.for_all.end());
+  libraries = libraries_in_order(wanted, python.library_needs);
+  std::set<std::string> modules = report.compiled;
+  const std::set<std::string> of_channels = compiled_modules(python.channels);
+  for (const std::string& project : libraries) {
+    for (std::string need : python.library_needs.at(project)) {
+      std::replace(need.begin(), need.end(), '-', '_');
+      if (of_channels.contains(need)) modules.insert(std::move(need));
+    }
+  }
+  // A pure wheel is unpacked for all programs.
+  std::erase_if(libraries, [&](const std::string& one) { return !python.libraries.contains(one); });
+  compiled.assign(modules.begin(), modules.end());
+}
+
 /// `because`: why a node is skipped for what it misses; empty: it is not, which is an error.
 Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
                                    const InterfaceTexts& interfaces, InvalidFiles& invalid,
                                    const std::string& because, std::vector<LaunchNode>& nodes) {
-  const PythonWorld world{.workspace = python.workspace,
-                          .channels = python.channels,
-                          .wheels = python.wheels,
-                          .interfaces = interfaces,
-                          .channel_names = workspace.channel_names,
-                          .distro = workspace.manifest.distro};
+  const PythonWorld world = world_of(workspace, python, interfaces);
   Diagnostics errors;
   std::set<std::tuple<std::string, std::uint32_t, std::string>> told;
   std::vector<LaunchNode> kept;
@@ -139,7 +168,7 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
       continue;
     }
     ImportReport report = check_imports(python_script(node), world);
-    node.compiled_modules.assign(report.compiled.begin(), report.compiled.end());
+    take_libraries(report, python, node.libraries, node.compiled_modules);
     bool can_run = true;
     for (const std::string& file : report.own_files) {
       const auto found = invalid.by_path.find(file);
@@ -169,12 +198,11 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
 
 /// The same for the cells of the page's notebook: each is looked at as a program of its own, and
 /// what one imports stays imported for the next.
-Outcome<std::vector<std::string>> check_notebook_imports(BuiltWorkspace& workspace,
-                                                         PythonInput& python,
-                                                         const InterfaceTexts& interfaces) {
+Outcome<ImportReport> check_notebook_imports(BuiltWorkspace& workspace, PythonInput& python,
+                                             const InterfaceTexts& interfaces) {
   const std::string file = shown_path(workspace.folder / workspace.manifest.ui_notebook->value,
                                       workspace.folder, workspace.shown_folder);
-  std::set<std::string> compiled;
+  ImportReport all;
   Diagnostics errors;
   std::vector<PythonFiles::iterator> added;
   for (const std::string_view module : kKernelModules) {
@@ -187,13 +215,9 @@ Outcome<std::vector<std::string>> check_notebook_imports(BuiltWorkspace& workspa
     // No file of an installation has this name.
     const std::string script = std::string(kCellFolder) + name;
     python.workspace.emplace(script, cell.source);
-    ImportReport report = check_imports(script, {.workspace = python.workspace,
-                                                 .channels = python.channels,
-                                                 .wheels = python.wheels,
-                                                 .interfaces = interfaces,
-                                                 .channel_names = workspace.channel_names,
-                                                 .distro = workspace.manifest.distro});
-    compiled.merge(report.compiled);
+    ImportReport report = check_imports(script, world_of(workspace, python, interfaces));
+    all.compiled.merge(report.compiled);
+    all.libraries.merge(report.libraries);
     for (Diagnostic& one : report.missing) {
       const std::string& where = one.span->file;
       const auto own = python.workspace.find(where);
@@ -206,7 +230,48 @@ Outcome<std::vector<std::string>> check_notebook_imports(BuiltWorkspace& workspa
   }
   for (const PythonFiles::iterator place : added) python.workspace.erase(place);
   if (!errors.empty()) return errors;
-  return std::vector<std::string>(compiled.begin(), compiled.end());
+  return all;
+}
+
+/// The projects of libraries that these programs import; not of one that cannot run anyway.
+void collect_libraries(const PythonWorld& world, const std::vector<LaunchNode>& nodes,
+                       std::set<std::string>& reached) {
+  for (const LaunchNode& node : nodes) {
+    if (node.kind != ProgramKind::kPython) continue;
+    ImportReport report = check_imports(python_script(node), world);
+    const bool can_run =
+        std::none_of(report.missing.begin(), report.missing.end(),
+                     [](const Diagnostic& one) { return one.severity == Severity::kError; });
+    if (can_run) reached.merge(report.libraries);
+  }
+}
+
+/// All projects of libraries that some program or cell imports. What the manifest names and no
+/// program imports is there for all.
+Outcome<std::set<std::string>> reached_libraries(BuiltWorkspace& workspace, PythonInput& python,
+                                                 const PlanInput& input) {
+  std::set<std::string> reached;
+  const SiteLibraries libraries = site_libraries(workspace);
+  if (libraries.depends.empty()) return reached;
+  hide_replaced(workspace, {}, python.channels);
+  do {
+    const PythonWorld world = world_of(workspace, python, input.interfaces);
+    collect_libraries(world, input.nodes, reached);
+    collect_libraries(world, input.more_nodes, reached);
+    if (input.notebook) {
+      const Diagnostics before = workspace.warnings;
+      auto report = check_notebook_imports(workspace, python, input.interfaces);
+      workspace.warnings = before;  // told when the rest is checked
+      if (report) reached.merge(report->libraries);
+    }
+  } while (hide_replaced(workspace, reached, python.channels));
+  std::set<std::string> there;
+  for (std::string& one : libraries_in_order(reached, libraries.depends))
+    there.insert(std::move(one));
+  for (const std::string& one : named_libraries(workspace))
+    if (!there.contains(one)) python.for_all.insert(one);
+  reached.insert(python.for_all.begin(), python.for_all.end());
+  return reached;
 }
 
 bool has_python(const std::vector<LaunchNode>& nodes) {
@@ -233,6 +298,11 @@ Outcome<Done> add_python(const PackRequest& request, BuiltWorkspace& workspace, 
   }
   auto invalid = invalid_files(request, workspace, *python, cancellation);
   if (!invalid) return std::move(invalid).errors();
+  const auto reached = reached_libraries(workspace, *python, input);
+  if (!reached) return reached.errors();
+  if (auto added = add_libraries(workspace, *reached, *python, input.components, cancellation);
+      !added)
+    return added;
   const auto check = [&](const char* because, std::vector<LaunchNode>& nodes) {
     return check_python_imports(workspace, *python, input.interfaces, *invalid, because, nodes);
   };
@@ -247,9 +317,9 @@ Outcome<Done> add_python(const PackRequest& request, BuiltWorkspace& workspace, 
     workspace.warnings.push_back(std::move(one));
   }
   if (input.notebook) {
-    auto compiled = check_notebook_imports(workspace, *python, input.interfaces);
-    if (!compiled) return std::move(compiled).errors();
-    input.notebook->compiled = std::move(*compiled);
+    const auto report = check_notebook_imports(workspace, *python, input.interfaces);
+    if (!report) return report.errors();
+    take_libraries(*report, *python, input.notebook->libraries, input.notebook->compiled);
   }
   input.python = std::move(*python);
   for (const InstalledPackage& package : workspace.installed)

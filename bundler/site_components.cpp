@@ -76,16 +76,8 @@ std::string wheel_field(std::string_view metadata, std::string_view name) {
   return {};
 }
 
-SiteComponent of_wheel(const NamedWheel& wheel) {
-  SiteComponent component{.kind = ComponentKind::kWheel,
-                          .name = wheel.locked.project,
-                          .version = wheel.locked.version,
-                          .licenses = {},
-                          .sha256 = wheel.locked.sha256,
-                          .address = with_masked_secrets(wheel.locked.url),
-                          .purl = {},
-                          .texts = {}};
-  for (const auto& [path, bytes] : wheel.wheel.files) {
+void add_licenses(const Wheel& wheel, SiteComponent& component) {
+  for (const auto& [path, bytes] : wheel.files) {
     const std::size_t info = path.find(".dist-info/");
     if (info == std::string::npos) continue;
     if (path.substr(info) == ".dist-info/METADATA") {
@@ -98,6 +90,18 @@ SiteComponent of_wheel(const NamedWheel& wheel) {
       component.texts.push_back(bytes);
     }
   }
+}
+
+SiteComponent of_wheel(const NamedWheel& wheel) {
+  SiteComponent component{.kind = ComponentKind::kWheel,
+                          .name = wheel.locked.project,
+                          .version = wheel.locked.version,
+                          .licenses = {},
+                          .sha256 = wheel.locked.sha256,
+                          .address = with_masked_secrets(wheel.locked.url),
+                          .purl = {},
+                          .texts = {}};
+  add_licenses(wheel.wheel, component);
   return component;
 }
 
@@ -131,6 +135,20 @@ std::vector<std::string> license_texts(const fs::path& folder, bool whatever_nam
     if (text && is_license_text(*text)) texts.push_back(std::move(text).value());
   }
   return texts;
+}
+
+SiteComponent library_component(const LibraryFiles& library, const std::string& index) {
+  SiteComponent component{
+      .kind = ComponentKind::kWheel,
+      .name = library.locked.project,
+      .version = library.locked.version,
+      .licenses = {},
+      .sha256 = library.locked.sha256,
+      .address = is_network_url(index) ? with_masked_secrets(index + library.locked.file) : "",
+      .purl = {},
+      .texts = {}};
+  add_licenses(library.wheel, component);
+  return component;
 }
 
 std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& records,

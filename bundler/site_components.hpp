@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bundler/site/site_component.hpp"
+#include "bundler/store/library_files.hpp"
 #include "bundler/store/store.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/discovery.hpp"
@@ -31,5 +32,10 @@ namespace ros2wasm {
                                                          const std::vector<LocalPackage>& packages,
                                                          const LeftOutChains& left_out,
                                                          const std::filesystem::path& workspace);
+
+/// The component of a library of Pyodide's distribution; `index` is the address before its file,
+/// with "/".
+[[nodiscard]] SiteComponent library_component(const LibraryFiles& library,
+                                              const std::string& index);
 
 }  // namespace ros2wasm

@@ -17,10 +17,12 @@
 #include "bundler/launch/simulator_command.hpp"
 #include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_tools.hpp"
+#include "bundler/python_libraries_of_site.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/cache_place.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/library_request.hpp"
 #include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/page_notebook.hpp"
 #include "bundler/workspace/wheel_request.hpp"
@@ -46,6 +48,29 @@ Diagnostics check_parameters(const Manifest& manifest, const fs::path& folder) {
     if (const auto read = read_parameter_file(text, file); !read) append(errors, read.errors());
   }
   return errors;
+}
+
+/// Modules that libraries of Pyodide's distribution bring are not missing.
+Diagnostics meet_by_libraries(const CheckRequest& request, const fs::path& folder,
+                              const std::vector<NamedWheel>& wheels, const KnownNames& known,
+                              CheckReport& report) {
+  const bool asks = !report.manifest.python_packages.empty() ||
+                    std::any_of(report.packages.begin(), report.packages.end(),
+                                [](const LocalPackage& one) { return !one.python_uses.empty(); });
+  if (!takes_libraries(report.manifest) || !asks) return {};
+  const auto offered = offered_libraries(request.executable, report.manifest, folder);
+  if (!offered) return offered.errors();
+  const auto asked = library_request({.manifest = report.manifest,
+                                      .packages = report.packages,
+                                      .left_out = {},
+                                      .wheels = wheels,
+                                      .known = known,
+                                      .notebook_modules = {},
+                                      .libraries = *offered});
+  if (!asked) return asked.errors();
+  append(report.warnings, asked->warnings);
+  drop_met_by_libraries(asked->libraries, *offered, known, report.manifest.distro, report.packages);
+  return {};
 }
 
 /// Reports names that neither the workspace nor a channel has. `known`: the names of the packages
@@ -209,6 +234,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
     const auto open = open_channels(channels->addresses, channels->roots, cancellation);
     if (!open) return open.errors();
     known.names = open->names();
+    if (wheels) append(errors, meet_by_libraries(request, folder, *wheels, known, report));
   }
   const auto left_out = order ? left_out_packages(report.packages, *order, known,
                                                   report.manifest.distro, known_build_types())

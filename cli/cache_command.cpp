@@ -5,6 +5,7 @@
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/cache_care.hpp"
 #include "bundler/store/cache_place.hpp"
+#include "bundler/store/library_files.hpp"
 #include "bundler/store/store.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "cli/arguments.hpp"
@@ -109,6 +110,10 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
   if (!folders) return context.console.fail(folders.errors());
   if (const auto wheels = fetch_wheels(lock->wheels, roots, context.cancellation); !wheels)
     return context.console.fail(wheels.errors());
+  if (const auto libraries =
+          fetch_libraries(lock->libraries, lock->python_index, roots, context.cancellation);
+      !libraries)
+    return context.console.fail(libraries.errors());
   if (context.json) {
     JsonWriter json;
     json.begin_object().key("packages").unsigned_integer(folders->size()).end_object();

@@ -237,6 +237,8 @@ const assets = readdirSync(out)
       sha256: createHash('sha256').update(bytes).digest('hex'),
     };
   });
+// Which libraries Pyodide's distribution has: read by pack, and no file of sites.
+writeFileSync(join(out, 'python_libraries.json'), readFileSync(join(root, 'node_modules/pyodide/pyodide-lock.json')));
 const constants = JSON.parse(readFileSync(join(root, 'runtime/protocol/constants.json'), 'utf8'));
 const protocol = constants.values.find((value) => value.name === 'protocol_version').value;
 writeFileSync(join(out, 'runtime_assets.json'), `${JSON.stringify({ schema: 1, protocol, assets }, null, 1)}\n`);

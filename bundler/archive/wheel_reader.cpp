@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bundler/archive/archive_library.hpp"
+#include "bundler/archive/side_module.hpp"
 #include "bundler/archive/zip_files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/base/text_pattern.hpp"
@@ -172,11 +173,59 @@ std::optional<std::string> installed_path(const std::string& path) {
   return result;
 }
 
+/// "libgeos.so", and "libgeos.so.3".
+bool is_library_name(std::string_view name) {
+  const std::size_t ending = name.rfind(".so");
+  return ending != std::string_view::npos &&
+         name.find_first_not_of(".0123456789", ending + 3) == std::string_view::npos;
+}
+
 bool is_compiled(const std::string& path) {
   return path.ends_with(".so") || path.ends_with(".pyd") || path.ends_with(".dylib");
 }
 
+/// Other files that are called .so (of Linux, among the data of tests) cannot be loaded, and stay.
+std::optional<Diagnostic> add_side_module(const std::string& name, const std::string& place,
+                                          const std::string& bytes, Wheel& wheel) {
+  constexpr std::string_view kMagic("\0asm", 4);
+  if (!is_compiled(place) || !bytes.starts_with(kMagic)) return std::nullopt;
+  auto read = read_side_module(bytes);
+  if (const auto* fault = std::get_if<SideModuleFault>(&read))
+    return refused_side_module(name, place, fault->why);
+  wheel.side_modules.emplace(place, std::move(std::get<SideModule>(read).needed));
+  return std::nullopt;
+}
+
 }  // namespace
+
+Diagnostic refused_side_module(const std::string& archive, const std::string& module,
+                               const std::string& why) {
+  return Diagnostic{.code = "R2W0245",
+                    .message = "the compiled module `" + module + "` of `" + archive +
+                               "` is not one that a site may load",
+                    .why = {"it " + why}};
+}
+
+Outcome<SharedLibraries> read_shared_libraries(const fs::path& file, const std::string& name,
+                                               ExtractLimits limits) {
+  limits.total_bytes = std::min(limits.total_bytes, kMostBytes);
+  auto read = read_zip_files(file, name, limits);
+  if (!read) return std::move(read).errors();
+  SharedLibraries libraries;
+  for (auto& [path, found] : *read) {
+    std::string base = path.substr(path.rfind('/') + 1);
+    if (!is_library_name(base)) continue;
+    auto module = read_side_module(found.bytes);
+    if (const auto* fault = std::get_if<SideModuleFault>(&module))
+      return refused_side_module(name, path, fault->why);
+    if (libraries.files.contains(base))
+      return refused_archive("R2W0224", name, {"two of its members are called `" + base + "`"});
+    libraries.needed.emplace(base, std::move(std::get<SideModule>(module).needed));
+    libraries.files.emplace(std::move(base), std::move(found.bytes));
+  }
+  if (libraries.files.empty()) return damaged_archive(name, "it has no library");
+  return libraries;
+}
 
 Outcome<Wheel> read_wheel(const fs::path& file, const WheelName& wanted, ExtractLimits limits) {
   const std::string name = called(wanted);
@@ -209,8 +258,9 @@ Outcome<Wheel> read_wheel(const fs::path& file, const WheelName& wanted, Extract
   for (auto& [path, found] : files) {
     auto place = installed_path(path);
     if (!place) continue;
-    if (is_compiled(*place))
+    if (is_compiled(*place) && !wanted.is_for_site_abi())
       return unfit(name, "it has a compiled module, `" + *place + "`, whatever its name says");
+    if (auto fault = add_side_module(name, *place, found.bytes, wheel)) return *std::move(fault);
     if (!wheel.files.emplace(*place, std::move(found.bytes)).second)
       return refused_archive("R2W0224", name, {"two of its members go to `" + *place + "`"});
   }

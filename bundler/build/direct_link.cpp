@@ -5,7 +5,7 @@
 #include <array>
 #include <sstream>
 
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "bundler/io/sha256.hpp"

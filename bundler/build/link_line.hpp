@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 
 namespace ros2wasm {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <charconv>
 
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -1,7 +1,7 @@
 // See split_programs.hpp.
 #include "bundler/build/split_programs.hpp"
 
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 #include "bundler/io/files.hpp"
 
 namespace ros2wasm {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "bundler/build/wasm_cursor.hpp"
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_cursor.hpp"
+#include "bundler/archive/wasm_module.hpp"
 
 namespace ros2wasm {
 namespace {

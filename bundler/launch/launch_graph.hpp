@@ -27,6 +27,7 @@ struct LaunchNode {
                                   ///< a command none
   ProgramKind kind = ProgramKind::kWasm;
   std::vector<std::string> compiled_modules;  ///< that a Python program imports: "numpy"
+  std::vector<std::string> libraries = {};    ///< projects; what is needed comes first
   std::vector<std::string> arguments;         ///< after argv[0], as ros2 launch would pass them
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;

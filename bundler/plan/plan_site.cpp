@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/site_checks.hpp"
@@ -279,25 +279,40 @@ class SitePlanner {
                                     compiled, input_.packages, input_.python_index);
     plan_.sources = std::move(python.sources);
     for (PlannedNode& planned : plan_.nodes) {
-      if (is_python(planned.node))
-        planned.archives = archives_with(python, planned.node.compiled_modules);
+      if (!is_python(planned.node)) continue;
+      planned.archives =
+          archives_with(python, planned.node.compiled_modules, planned.node.libraries);
+      planned.load = loaded_first(python, planned.node.libraries);
     }
     add_launch_modules(python);
     if (input_.notebook)
-      plan_.notebook =
-          PlannedNotebook{.file = page_text_path(input_.notebook->file),
-                          .program = kPythonProgram,
-                          .archives = archives_with(python, input_.notebook->compiled)};
+      plan_.notebook = PlannedNotebook{
+          .file = page_text_path(input_.notebook->file),
+          .program = kPythonProgram,
+          .archives = archives_with(python, input_.notebook->compiled, input_.notebook->libraries),
+          .load = loaded_first(python, input_.notebook->libraries)};
     for (PythonSiteFile& file : python.files)
       add(plan_, std::move(file.path), std::move(file.reason), std::move(file.bytes));
   }
 
   [[nodiscard]] static std::vector<std::string> archives_with(
-      const PythonSite& python, const std::vector<std::string>& compiled_modules) {
+      const PythonSite& python, const std::vector<std::string>& compiled_modules,
+      const std::vector<std::string>& libraries) {
     std::vector<std::string> archives = python.archives;
     for (const std::string& module : compiled_modules)
       archives.push_back(python.compiled.at(module));
+    for (const std::string& project : libraries) archives.push_back(python.libraries.at(project));
     return archives;
+  }
+
+  [[nodiscard]] static std::vector<std::string> loaded_first(
+      const PythonSite& python, const std::vector<std::string>& libraries) {
+    std::vector<std::string> load;
+    for (const std::string& project : libraries) {
+      const auto& own = python.load.at(project);
+      load.insert(load.end(), own.begin(), own.end());
+    }
+    return load;
   }
 
   void add_launch_modules(const PythonSite& python) {

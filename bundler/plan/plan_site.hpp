@@ -31,8 +31,9 @@ struct RuntimeAsset {
 
 /// The page's notebook, whose kernel is a Python program.
 struct NotebookInput {
-  std::string file;                   ///< relative to the manifest
-  std::vector<std::string> compiled;  ///< modules with compiled parts that its cells import
+  std::string file;                         ///< relative to the manifest
+  std::vector<std::string> compiled;        ///< modules with compiled parts that its cells import
+  std::vector<std::string> libraries = {};  ///< as LaunchNode has it
 };
 
 /// The inputs of plan_site().

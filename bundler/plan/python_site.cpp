@@ -98,6 +98,11 @@ PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
     if (!needed.contains(module)) continue;
     site.compiled[module] = add(module + ".zip", "module " + module + " of Python nodes", files);
   }
+  for (auto& [project, library] : input.libraries) {
+    site.libraries[project] = add("libraries/" + project + ".zip",
+                                  "library " + project + " of Python nodes", library.files);
+    site.load[project] = std::move(library.load);
+  }
   const auto add_part = [&](const std::string& name, const PythonFiles& files) {
     if (files.empty()) return;
     site.archives.push_back(

@@ -16,12 +16,21 @@ namespace ros2wasm {
 /// Pyodide's wasm file in a site: the program of every Python node.
 inline constexpr const char* kPythonProgram = "pyodide/pyodide.asm.wasm";
 
+/// A library with compiled modules, which only programs that import it unpack.
+struct LibraryInput {
+  PythonFiles files;
+  std::vector<std::string> load;  ///< those that are loaded before any code, in this order
+};
+
 /// The files that Python nodes find installed.
 struct PythonInput {
   PythonFiles pyodide;    ///< by name
   PythonFiles channels;   ///< modules and scripts of the packages of channels
   PythonFiles wheels;     ///< of the manifest
   PythonFiles workspace;  ///< and of the workspace's
+  std::map<std::string, LibraryInput> libraries;  ///< by project
+  std::set<std::string> for_all;                  ///< projects that every program unpacks
+  std::map<std::string, std::vector<std::string>> library_needs;  ///< of all that could be there
   /// The files of `workspace` with a source in the workspace: installed path -> path in the
   /// workspace.
   std::map<std::string, std::string> sources;
@@ -39,8 +48,10 @@ inline constexpr const char* kWorkspaceArchive = "python/workspace.zip";
 struct PythonSite {
   std::vector<PythonSiteFile> files;
   std::vector<std::string> archives;  ///< paths of those among `files` that all nodes unpack
-  std::map<std::string, std::string> compiled;  ///< and of those for who imports a compiled module
-  std::vector<PlannedSource> sources;           ///< sorted by file
+  std::map<std::string, std::string> compiled;   ///< and of those for who imports a compiled module
+  std::map<std::string, std::string> libraries;  ///< the same for libraries, by project
+  std::map<std::string, std::vector<std::string>> load;  ///< LibraryInput::load, by project
+  std::vector<PlannedSource> sources;                    ///< sorted by file
 };
 
 /// The archive of what the packages of the workspace bring, when they bring something.

@@ -104,7 +104,13 @@ void write_notebook(JsonWriter& json, const PlannedNotebook& notebook) {
   json.key("notebook").begin_object().field("file", notebook.file);
   json.field("program", notebook.program).key("archives").begin_array();
   for (const std::string& archive : notebook.archives) json.string(archive);
-  json.end_array().end_object();
+  json.end_array();
+  if (!notebook.load.empty()) {
+    json.key("libraries").begin_array();
+    for (const std::string& path : notebook.load) json.string(path);
+    json.end_array();
+  }
+  json.end_object();
 }
 
 void write_launch(JsonWriter& json, const PlannedLaunch& launch) {

@@ -67,7 +67,13 @@ void write_program(JsonWriter& json, const PlannedNode& planned) {
   if (!planned.script.empty()) {
     json.key("python").begin_object().key("archives").begin_array();
     for (const std::string& archive : planned.archives) json.string(archive);
-    json.end_array().field("entry", planned.script).end_object();
+    json.end_array();
+    if (!planned.load.empty()) {
+      json.key("libraries").begin_array();
+      for (const std::string& path : planned.load) json.string(path);
+      json.end_array();
+    }
+    json.field("entry", planned.script).end_object();
   }
   if (!planned.names.empty()) json.field("names", planned.names);
   json.field_boolean("threads", planned.threads);

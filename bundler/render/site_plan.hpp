@@ -38,8 +38,9 @@ struct PlannedNode {
   std::string program;  ///< path in the site
   std::string names;    ///< path in the site of its functions' names; empty when there are none
   bool threads = false;
-  std::string script;                 ///< of a Python node: path in what is installed
-  std::vector<std::string> archives;  ///< of a Python node: what it unpacks, in order
+  std::string script;                  ///< of a Python node: path in what is installed
+  std::vector<std::string> archives;   ///< of a Python node: what it unpacks, in order
+  std::vector<std::string> load = {};  ///< and which compiled libraries of that it loads first
 };
 
 /// A launch file that is evaluated when the site starts.
@@ -53,9 +54,10 @@ struct PlannedLaunch {
 };
 
 struct PlannedNotebook {
-  std::string file;                   ///< path in the site
-  std::string program;                ///< as of a Python node
-  std::vector<std::string> archives;  ///< as of a Python node
+  std::string file;                    ///< path in the site
+  std::string program;                 ///< as of a Python node
+  std::vector<std::string> archives;   ///< as of a Python node
+  std::vector<std::string> load = {};  ///< likewise
 };
 
 struct SitePlan {

@@ -92,6 +92,32 @@ std::vector<std::string> changed_wheels(const std::vector<LockedWheel>& locked,
   return changes;
 }
 
+std::vector<std::string> changed_libraries(const std::vector<LockedLibrary>& locked,
+                                           const std::vector<LockedLibrary>& wanted) {
+  std::vector<std::string> changes;
+  const auto of_project = [](const std::vector<LockedLibrary>& libraries,
+                             const LockedLibrary& one) {
+    const auto found =
+        std::find_if(libraries.begin(), libraries.end(),
+                     [&](const LockedLibrary& other) { return other.project == one.project; });
+    return found == libraries.end() ? nullptr : &*found;
+  };
+  for (const LockedLibrary& one : wanted) {
+    const LockedLibrary* before = of_project(locked, one);
+    if (before == nullptr) {
+      changes.push_back("the Python library `" + one.project + "` would be new");
+    } else if (*before != one) {
+      changes.push_back("the Python library `" + one.project + "` is another one: it was " +
+                        before->version + " with sha256 " + before->sha256);
+    }
+  }
+  for (const LockedLibrary& one : locked) {
+    if (of_project(wanted, one) == nullptr)
+      changes.push_back("the Python library `" + one.project + "` is not asked for any more");
+  }
+  return changes;
+}
+
 bool is_among(const std::string& name, const std::vector<PackageRecord>& packages) {
   return std::any_of(packages.begin(), packages.end(),
                      [&name](const PackageRecord& record) { return record.name == name; });
@@ -111,6 +137,14 @@ Diagnostics other_wheels(const std::vector<LockedWheel>& locked,
                          const std::vector<LockedWheel>& wanted) {
   Diagnostics faults;
   for (std::string& one : changed_wheels(locked, wanted))
+    faults.push_back({.code = "R2W0311", .message = std::move(one)});
+  return faults;
+}
+
+Diagnostics other_libraries(const std::vector<LockedLibrary>& locked,
+                            const std::vector<LockedLibrary>& wanted) {
+  Diagnostics faults;
+  for (std::string& one : changed_libraries(locked, wanted))
     faults.push_back({.code = "R2W0311", .message = std::move(one)});
   return faults;
 }
@@ -136,6 +170,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   std::string old_text;
   std::vector<PackageRecord> locked;
   std::vector<LockedWheel> old_wheels;
+  std::vector<LockedLibrary> old_libraries;
   std::vector<std::string> strangers;  // to choose anew, but not in the lock
   if (!is_absent(lock_file)) {
     auto text = read_file(lock_file, kMostOfList);
@@ -145,6 +180,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
     if (!lock) return std::move(lock).errors();
     locked = std::move(lock->packages);
     old_wheels = std::move(lock->wheels);
+    old_libraries = std::move(lock->libraries);
     std::copy_if(
         update.names.begin(), update.names.end(), std::back_inserter(strangers),
         [&locked](const std::string& name) { return !name.empty() && !is_among(name, locked); });
@@ -179,7 +215,9 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   Lock lock{.channels = index.channels,
             .absent = rest.absent,
             .packages = resolution->packages,
-            .wheels = rest.wheels};
+            .wheels = rest.wheels,
+            .python_index = rest.python_index,
+            .libraries = rest.libraries};
   for (const RequestedSpec& spec : specs) lock.specs.push_back(spec.text);
   std::sort(lock.packages.begin(), lock.packages.end(), by_name);
   LockedSolution result{.packages = std::move(resolution->packages), .lock_text = write_lock(lock)};
@@ -187,6 +225,8 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   if (must_fit) {
     auto changes = changes_of(locked, lock.packages);
     for (std::string& one : changed_wheels(old_wheels, rest.wheels))
+      changes.push_back(std::move(one));
+    for (std::string& one : changed_libraries(old_libraries, rest.libraries))
       changes.push_back(std::move(one));
     if (!changes.empty()) return lock_does_not_fit(lock_file, std::move(changes));
   }

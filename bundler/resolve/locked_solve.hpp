@@ -27,6 +27,10 @@ struct LockUpdate {
 [[nodiscard]] Diagnostics other_wheels(const std::vector<LockedWheel>& locked,
                                        const std::vector<LockedWheel>& wanted);
 
+/// R2W0311: libraries that are others than those of a lock.
+[[nodiscard]] Diagnostics other_libraries(const std::vector<LockedLibrary>& locked,
+                                          const std::vector<LockedLibrary>& wanted);
+
 /// R2W0330 there is none, R2W0310 it is damaged, R2W0210.
 [[nodiscard]] Outcome<Lock> read_lock_file(const std::filesystem::path& file);
 
@@ -34,6 +38,8 @@ struct LockUpdate {
 struct LockRest {
   std::vector<std::string> absent;  ///< as in Lock
   std::vector<LockedWheel> wheels;
+  std::string python_index;  ///< as in Lock
+  std::vector<LockedLibrary> libraries;
 };
 
 struct LockedSolution {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 #include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {

@@ -13,6 +13,7 @@
 #include "bundler/workspace/launch_packages.hpp"
 #include "bundler/workspace/python_imports.hpp"
 #include "bundler/workspace/python_modules.hpp"
+#include "bundler/workspace/python_requirements.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -166,6 +167,40 @@ std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const f
       result.push_back({.value = std::move(name), .span = std::move(one.span)});
     }
   }
+  return result;
+}
+
+std::vector<PythonImport> python_uses(const fs::path& folder, const fs::path& base,
+                                      const fs::path& shown_base) {
+  std::vector<PythonImport> result;
+  std::set<std::string> own;
+  std::set<std::tuple<std::string, std::vector<std::string>, bool>> known;
+  for (const fs::path& file : python_sources(folder, own)) {
+    const auto text = read_file(file, kMostOfText);
+    if (!text || (!file.has_extension() && !is_python_script(*text))) continue;
+    for (PythonImport& one : python_imports(*text, shown_path(file, base, shown_base))) {
+      const std::string name = one.module.substr(0, one.module.find('.'));
+      if (name.empty() || is_python_module(name) || own.contains(name)) continue;
+      if (known.emplace(one.module, one.names, one.needed).second) result.push_back(std::move(one));
+    }
+  }
+  return result;
+}
+
+std::vector<Spanned<std::string>> python_requirements(const fs::path& folder, const fs::path& base,
+                                                      const fs::path& shown_base) {
+  std::vector<Spanned<std::string>> result;
+  const auto add = [&](const char* name, auto reader) {
+    const fs::path file = folder / name;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return;
+    const auto text = read_file(file, kMostOfText);
+    if (!text) return;
+    for (auto& one : reader(*text, shown_path(file, base, shown_base)))
+      result.push_back(std::move(one));
+  };
+  add("setup.py", requirements_of_setup);
+  add("requirements.txt", requirements_of_list);
   return result;
 }
 
@@ -337,6 +372,8 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                                                            shown_path(lists, base, shown_base)),
                           .has_cmake_lists = cmake && !cmake->empty(),
                           .python_modules = python_modules(folder, base, shown_base),
+                          .python_uses = python_uses(folder, base, shown_base),
+                          .python_requirements = python_requirements(folder, base, shown_base),
                           .python_files = python_files(folder),
                           .launch_files = launch_files(folder),
                           .launch_packages = packages_of_launch_files(folder, base, shown_base)});

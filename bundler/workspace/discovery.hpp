@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "bundler/workspace/python_imports.hpp"
 #include "workspace_schema/base/outcome.hpp"
 #include "workspace_schema/schema/manifest.hpp"
 #include "workspace_schema/schema/package_xml.hpp"
@@ -22,6 +23,10 @@ struct LocalPackage {
   bool has_cmake_lists = false;
   /// Top-level modules that its Python files need and that neither Python nor its own folder has.
   std::vector<Spanned<std::string>> python_modules;
+  /// All that they import of these modules, once each; also what they can do without.
+  std::vector<PythonImport> python_uses;
+  /// The requirements of setup.py and requirements.txt for pip.
+  std::vector<Spanned<std::string>> python_requirements;
   /// Modules and scripts that a node may run, sorted; not those of tests, and not setup.py.
   std::vector<std::filesystem::path> python_files;
   std::vector<std::filesystem::path> launch_files;  ///< absolute, sorted; not those of tests

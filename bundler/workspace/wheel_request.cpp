@@ -18,7 +18,8 @@ bool has(const std::vector<std::string>& sorted, std::string_view name) {
 std::set<std::string> modules_of(const Wheel& wheel) {
   std::set<std::string> modules;
   for (const auto& [path, bytes] : wheel.files) {
-    if (path.ends_with(".py")) modules.insert(path.substr(0, path.find_first_of("/.")));
+    if (path.ends_with(".py") || wheel.side_modules.contains(path))
+      modules.insert(path.substr(0, path.find_first_of("/.")));
   }
   return modules;
 }
@@ -50,7 +51,8 @@ void add_spec(std::vector<RequestedSpec>& specs, RequestedSpec spec) {
 }  // namespace
 
 void add_wheel_request(const std::vector<NamedWheel>& wheels, const KnownNames& known,
-                       std::string_view distro, ChannelRequest& request) {
+                       std::string_view distro, const std::vector<LockedLibrary>& libraries,
+                       ChannelRequest& request) {
   for (const NamedWheel& wheel : wheels) {
     for (const std::string& text : wheel.wheel.requirements) {
       const auto need = wheel_requirement(text);
@@ -62,6 +64,16 @@ void add_wheel_request(const std::vector<NamedWheel>& wheels, const KnownNames& 
         if (!fits_versions(other->locked.version, need->versions)) {
           request.warnings.push_back(
               unmet(wheel, asked(*need), "the manifest names a wheel of " + other->locked.version));
+        }
+        continue;
+      }
+      const auto library =
+          std::find_if(libraries.begin(), libraries.end(),
+                       [&](const LockedLibrary& one) { return one.project == need->project; });
+      if (library != libraries.end()) {
+        if (!fits_versions(library->version, need->versions)) {
+          request.warnings.push_back(
+              unmet(wheel, asked(*need), "Pyodide's distribution has it as " + library->version));
         }
         continue;
       }
@@ -110,6 +122,9 @@ void drop_met_by_wheels(const std::vector<NamedWheel>& wheels, std::string_view 
                   [&](const PackageDependency& one) { return is_met(one.name.value); });
     std::erase_if(package.python_modules,
                   [&](const Spanned<std::string>& one) { return modules.contains(one.value); });
+    std::erase_if(package.python_uses, [&](const PythonImport& one) {
+      return modules.contains(one.module.substr(0, one.module.find('.')));
+    });
   }
 }
 

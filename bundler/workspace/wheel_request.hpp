@@ -11,10 +11,12 @@
 
 namespace ros2wasm {
 
-/// Adds what each wheel requires that no other of them is. R2W0520, a warning: no channel has it
-/// either. Whether a program needs it shows when its imports are followed.
+/// Adds what each wheel requires that no other of them is, and no library of `libraries`. R2W0520,
+/// a warning: no channel has it either. Whether a program needs it shows when its imports are
+/// followed.
 void add_wheel_request(const std::vector<NamedWheel>& wheels, const KnownNames& known,
-                       std::string_view distro, ChannelRequest& request);
+                       std::string_view distro, const std::vector<LockedLibrary>& libraries,
+                       ChannelRequest& request);
 
 /// The channel package of a Python project or module: by its rosdep key, by its own name, or by
 /// that of a ROS package. Empty: none of `names` (sorted).

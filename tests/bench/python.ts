@@ -18,6 +18,7 @@ import { machineLoad, OthersLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
 import { benchCdr } from './python_cdr.ts';
+import { benchPythonLibraries } from './python_libraries.ts';
 import type { BenchContext } from './run.ts';
 import { packedExample } from './site_bytes.ts';
 import { summary } from './statistics.ts';
@@ -311,6 +312,7 @@ export async function benchPython(context: BenchContext): Promise<void> {
     await benchMemory(context, start);
     await benchCdr(context, messages);
     benchMessages(context, messages);
+    await benchPythonLibraries(context);
     await benchPairs(context, folder);
   } finally {
     for (const one of [...sites, folder]) rmSync(one, { recursive: true, force: true });

@@ -14,9 +14,15 @@ struct WheelName {
   std::string version;  ///< "1.2"
   std::string tags;     ///< "py3-none-any"
 
-  /// For every Python 3 and every machine: what a site can run.
+  /// For every Python 3 and every machine.
   [[nodiscard]] bool is_pure() const;
+  /// Compiled for the interpreter of sites: its Python, its ABI, its platform.
+  [[nodiscard]] bool is_for_site_abi() const;
 };
+
+/// The Python of sites, and what compiled modules must be made for.
+inline constexpr std::string_view kSiteAbi =
+    "Python 3.12 and the platform pyodide_2024_0_wasm32 (Pyodide 0.27)";
 
 /// Nothing when it is not the name of a wheel. `file_name` without folders.
 [[nodiscard]] std::optional<WheelName> wheel_name(std::string_view file_name);

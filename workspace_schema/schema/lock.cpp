@@ -61,6 +61,15 @@ void put_wheel(std::string& out, const LockedWheel& wheel) {
   put_number(out, indent, "size", wheel.size);
 }
 
+void put_library(std::string& out, const LockedLibrary& library) {
+  const std::string indent = "    ";
+  out.append("  - name: ").append(as_yaml_text(library.project)).append("\n");
+  put_text(out, indent, "version", library.version);
+  put_text(out, indent, "file", library.file);
+  put_text(out, indent, "sha256", library.sha256);
+  put_list(out, indent, "depends", library.depends);
+}
+
 }  // namespace
 
 std::string write_lock(const Lock& lock) {
@@ -81,9 +90,12 @@ std::string write_lock(const Lock& lock) {
             [](const PackageRecord* a, const PackageRecord* b) { return a->name < b->name; });
   out += packages.empty() ? "packages: []\n" : "packages:\n";
   for (const PackageRecord* record : packages) put_package(out, *record);
-  if (lock.wheels.empty()) return out;
-  out += "wheels:\n";
+  if (!lock.wheels.empty()) out += "wheels:\n";
   for (const LockedWheel& wheel : lock.wheels) put_wheel(out, wheel);
+  if (lock.libraries.empty()) return out;
+  put_text(out, "", "python_index", lock.python_index);
+  out += "libraries:\n";
+  for (const LockedLibrary& library : lock.libraries) put_library(out, library);
   return out;
 }
 

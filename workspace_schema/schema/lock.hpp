@@ -23,6 +23,17 @@ struct LockedWheel {
   bool operator==(const LockedWheel&) const = default;
 };
 
+/// A library of Pyodide's distribution. Its address is that of `python_index` and its file.
+struct LockedLibrary {
+  std::string project;  ///< normal_project_name()
+  std::string version;
+  std::string file;  ///< its name: a wheel, or a .zip of libraries that wheels need
+  std::string sha256;
+  std::vector<std::string> depends;  ///< projects, sorted; some may come from elsewhere
+
+  bool operator==(const LockedLibrary&) const = default;
+};
+
 struct Lock {
   int schema = 1;
   std::string platform = "emscripten-wasm32";
@@ -31,8 +42,10 @@ struct Lock {
   /// The names that no channel had, sorted: packages that need one of these to be built are
   /// skipped.
   std::vector<std::string> absent;
-  std::vector<PackageRecord> packages;  ///< sorted by name
-  std::vector<LockedWheel> wheels;      ///< sorted by project
+  std::vector<PackageRecord> packages;   ///< sorted by name
+  std::vector<LockedWheel> wheels;       ///< sorted by project
+  std::string python_index;              ///< where libraries come from; empty without any
+  std::vector<LockedLibrary> libraries;  ///< sorted by project
 };
 
 /// The text of a lock; the same for the same content.

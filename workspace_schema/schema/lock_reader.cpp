@@ -111,15 +111,18 @@ class Reader {
   }
 
   void read_root(const YamlNode& root, Lock& lock) {
-    read_fields(root,
-                {{"schema", [&](const YamlNode& node) { number(node, lock.schema); }},
-                 {"platform", [&](const YamlNode& node) { text(node, lock.platform); }},
-                 {"channels", [&](const YamlNode& node) { texts(node, lock.channels); }},
-                 {"specs", [&](const YamlNode& node) { texts(node, lock.specs); }},
-                 {"absent", [&](const YamlNode& node) { texts(node, lock.absent); }},
-                 {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }},
-                 {"wheels", [&](const YamlNode& node) { read_wheels(node, lock.wheels); }}},
-                {"schema", "platform", "packages"});
+    read_fields(
+        root,
+        {{"schema", [&](const YamlNode& node) { number(node, lock.schema); }},
+         {"platform", [&](const YamlNode& node) { text(node, lock.platform); }},
+         {"channels", [&](const YamlNode& node) { texts(node, lock.channels); }},
+         {"specs", [&](const YamlNode& node) { texts(node, lock.specs); }},
+         {"absent", [&](const YamlNode& node) { texts(node, lock.absent); }},
+         {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }},
+         {"wheels", [&](const YamlNode& node) { read_wheels(node, lock.wheels); }},
+         {"python_index", [&](const YamlNode& node) { text(node, lock.python_index); }},
+         {"libraries", [&](const YamlNode& node) { read_libraries(node, lock.libraries); }}},
+        {"schema", "platform", "packages"});
     std::sort(lock.absent.begin(), lock.absent.end());
     if (lock.schema != 1 && faults_.empty()) {
       fail(root,
@@ -160,6 +163,26 @@ class Reader {
                    {"size", [&](const YamlNode& one) { number(one, wheel.size); }}},
                   {"name", "version", "sha256"});
       if (wheel.file.empty() == wheel.url.empty()) fail(item, "a wheel has `file` or `url`");
+    }
+  }
+
+  void read_libraries(const YamlNode& node, std::vector<LockedLibrary>& libraries) {
+    if (node.kind != YamlKind::kSequence) return fail(node, "a list is expected here");
+    for (const YamlNode& item : node.items) {
+      if (item.kind != YamlKind::kMap) {
+        fail(item, "a library is a map");
+        continue;
+      }
+      LockedLibrary& library = libraries.emplace_back();
+      read_fields(item,
+                  {{"name", [&](const YamlNode& one) { text(one, library.project); }},
+                   {"version", [&](const YamlNode& one) { text(one, library.version); }},
+                   {"file", [&](const YamlNode& one) { text(one, library.file); }},
+                   {"sha256", [&](const YamlNode& one) { hash(one, library.sha256, 64); }},
+                   {"depends", [&](const YamlNode& one) { texts(one, library.depends); }}},
+                  {"name", "version", "file", "sha256"});
+      if (library.file.find('/') != std::string::npos || library.file.starts_with('.'))
+        fail(item, "`file` of a library is the name of a file, without folders");
     }
   }
 

@@ -157,12 +157,16 @@ struct GivenArgument {
   std::string value;
 };
 
-/// One entry of `python: wheels:`: a wheel of Python files alone.
+/// One entry of `python: wheels:`: a wheel of Python files, or one compiled for the Python of
+/// sites.
 struct WheelEntry {
   Spanned<std::string> place;  ///< relative to the manifest, or an address
   bool is_url = false;
   std::string sha256;  ///< hex; of a file it may be empty
 };
+
+/// `python: index: none`: no library of Pyodide's distribution is taken.
+inline constexpr std::string_view kNoPythonIndex = "none";
 
 /// `site: budget:`, in bytes: what the site may weigh.
 struct SiteBudget {
@@ -188,6 +192,13 @@ struct Manifest {
   std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
   std::vector<WheelEntry> wheels;                  ///< for Python nodes, each project once
+  /// Libraries of Pyodide's distribution, each with or without versions: "scipy", "pandas >=2".
+  std::vector<Spanned<std::string>> python_packages;
+  /// Where their files come from: an address, a path relative to the manifest, or kNoPythonIndex.
+  std::optional<Spanned<std::string>> python_index;
+  /// Another list of libraries than that of Pyodide's distribution: a pyodide-lock.json, relative
+  /// to the manifest.
+  std::optional<Spanned<std::string>> python_lock;
   std::optional<Spanned<std::string>> launch_file;
   std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
   /// Variables that the launch file and its nodes find, beside those of every site.

@@ -97,14 +97,26 @@ void write_budget(JsonWriter& json, const SiteBudget& budget) {
 }
 
 void write_wheels(JsonWriter& json, const std::vector<WheelEntry>& wheels) {
-  json.key("python").begin_object().key("wheels").begin_array();
+  json.key("wheels").begin_array();
   for (const WheelEntry& wheel : wheels) {
     json.begin_object().field(wheel.is_url ? "url" : "file",
                               with_masked_secrets(wheel.place.value));
     if (!wheel.sha256.empty()) json.field("sha256", wheel.sha256);
     json.end_object();
   }
-  json.end_array().end_object();
+  json.end_array();
+}
+
+void write_python(JsonWriter& json, const Manifest& manifest) {
+  if (manifest.wheels.empty() && manifest.python_packages.empty() && !manifest.python_index &&
+      !manifest.python_lock)
+    return;
+  json.key("python").begin_object();
+  write_python(json, manifest);
+  if (!manifest.python_packages.empty()) texts(json, "packages", manifest.python_packages);
+  if (manifest.python_index) json.field("index", with_masked_secrets(manifest.python_index->value));
+  if (manifest.python_lock) json.field("lock", manifest.python_lock->value);
+  json.end_object();
 }
 
 }  // namespace

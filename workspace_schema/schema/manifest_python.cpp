@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "workspace_schema/conda/wheel_name.hpp"
+#include "workspace_schema/conda/wheel_requirement.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -53,15 +54,15 @@ void check_name(Binder& binder, const YamlNode& node, const Manifest& manifest,
     wrong.why.push_back("the name says project, version, and what the wheel runs on");
     return;
   }
-  if (!name->is_pure()) {
+  if (!name->is_pure() && !name->is_for_site_abi()) {
     Diagnostic& wrong =
         binder.error("R2W0119", "`" + name->project + "` is not a wheel that a site can run",
                      node.range, "made for `" + name->tags + "`");
-    wrong.why.push_back(
-        "Python in a browser runs wheels of Python files alone, which are made for `py3-none-any`");
-    wrong.why.push_back(
-        "many projects have such a wheel beside the compiled ones; compiled modules come from "
-        "channels, numpy from the one inside ros2wasm");
+    wrong.why.push_back("a site has " + std::string(kSiteAbi) +
+                        ": it runs wheels made for `py3-none-any`, and compiled ones made for "
+                        "`cp312-cp312-pyodide_2024_0_wasm32` or `abi3` of that platform");
+    wrong.why.push_back("if Pyodide's distribution has it, `python: packages: [" +
+                        normal_project_name(name->project) + "]` takes it from there");
     return;
   }
   const std::string project = normal_project_name(name->project);
@@ -113,10 +114,42 @@ void read_wheel(Binder& binder, const YamlNode& node, Manifest& manifest) {
   if (wheel_name(last_part(entry.place.value))) manifest.wheels.push_back(std::move(entry));
 }
 
+void read_package(Binder& binder, const YamlNode& node, Manifest& manifest) {
+  auto package = binder.line(node, "an item of `packages`");
+  if (!package) return;
+  const auto wanted = wheel_requirement(package->value);
+  if (wanted && !wanted->project.empty()) {
+    manifest.python_packages.push_back(std::move(*package));
+    return;
+  }
+  binder.error("R2W0103", "`" + package->value + "` is not the name of a Python library",
+               node.range, "such as `scipy` or `pandas>=2`");
+}
+
+void read_index(Binder& binder, const YamlNode& node, Manifest& manifest) {
+  auto index = binder.line(node, "index");
+  if (!index) return;
+  if (index->value.find("://") == std::string::npos) {
+    if (index->value != kNoPythonIndex && !index->value.starts_with('/'))
+      index = binder.path(node, "index");
+    if (index) manifest.python_index = std::move(index);
+    return;
+  }
+  if (index->value.starts_with("https://") || index->value.starts_with("http://")) {
+    manifest.python_index = std::move(index);
+    return;
+  }
+  binder.error("R2W0103", "`index` must be an address, a folder or `none`", node.range,
+               "begins with neither `https://` nor `http://`");
+}
+
 }  // namespace
 
 void read_python(Binder& binder, const YamlNode& node, Manifest& manifest) {
-  static const std::vector<KeyRow> kKeys{{"wheels", {"wheel", "packages", "requirements", "pip"}}};
+  static const std::vector<KeyRow> kKeys{{"wheels", {"wheel"}},
+                                         {"packages", {"libraries", "requirements", "pip"}},
+                                         {"index", {"url", "mirror"}},
+                                         {"lock", {"lockfile"}}};
   if (!binder.mapping(node, "`python`", kKeys)) {
     binder.wrong_type(node, "python", "a mapping");
     return;
@@ -125,6 +158,13 @@ void read_python(Binder& binder, const YamlNode& node, Manifest& manifest) {
     binder.list(*wheels, "wheels",
                 [&](const YamlNode& item) { read_wheel(binder, item, manifest); });
   }
+  if (const YamlNode* packages = value_of(node, "packages")) {
+    binder.list(*packages, "packages",
+                [&](const YamlNode& item) { read_package(binder, item, manifest); });
+  }
+  if (const YamlNode* index = value_of(node, "index")) read_index(binder, *index, manifest);
+  if (const YamlNode* lock = value_of(node, "lock"))
+    manifest.python_lock = binder.path(*lock, "lock");
 }
 
 }  // namespace ros2wasm

@@ -1,4 +1,4 @@
-// The key `python` of the manifest: wheels for Python nodes.
+// The key `python` of the manifest: wheels and libraries for Python nodes.
 #pragma once
 
 #include "workspace_schema/schema/manifest.hpp"

@@ -8,6 +8,7 @@
 #include "bundler/launch/host/import_hints.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/python_imports.hpp"
+#include "bundler/workspace/python_libraries.hpp"
 #include "bundler/workspace/python_modules.hpp"
 #include "workspace_schema/base/text_pattern.hpp"
 
@@ -77,7 +78,7 @@ class Walk {
     for (const PythonImport& one : python_imports(world_.channels.at(path), path)) {
       const std::string module = absolute(one.module, path);
       const std::string top = top_level(module);
-      if (!one.needed || is_python_module(top)) continue;
+      if (!one.needed || is_python_module(top) || take_library(module, one.names)) continue;
       if (compiled_.contains(top)) {
         report_.compiled.insert(top);
         continue;
@@ -95,6 +96,7 @@ class Walk {
     if (module.empty() || module.starts_with('.'))
       return add(one, "`" + one.module + "` leads out of the package", {}, needed);
     const std::string top = top_level(module);
+    if (take_library(module, one.names)) return;
     if (compiled_.contains(top)) report_.compiled.insert(top);
     if (is_python_module(top) && !is_lacking_python_module(top))
       return tell_of_failing(one, module, path);
@@ -108,6 +110,20 @@ class Walk {
       if (is_interface_module(module) && name != "*" && !has_interface(module, name))
         missing_interface(one, module, name, needed);
     }
+  }
+
+  /// True for what comes from a library, and from nowhere else.
+  bool take_library(const std::string& module, const std::vector<std::string>& names) {
+    const std::string top = top_level(module);
+    const auto library = world_.libraries.find(top);
+    if (library == world_.libraries.end()) return false;
+    const auto is_in = [&](const PythonFiles& files) {
+      return find_file(files, top) || is_below(files, modules_ + top + "/");
+    };
+    if (is_in(world_.workspace) || is_in(world_.wheels)) return false;
+    if (is_in(world_.channels) && stand_in_has(module, names).value_or(true)) return false;
+    report_.libraries.insert(library->second);
+    return true;
   }
 
   /// Is there such a module? One of the workspace is read.
@@ -253,7 +269,18 @@ class Walk {
     if (why.empty())
       why.push_back("no channel has " + tried + ", nor has the workspace a module of that name");
     const std::string hint = hint_for_module(top);
-    why.push_back(hint.empty() ? std::string(kWheel) : hint);
+    const auto offered = world_.offered.find(top);
+    if (!hint.empty()) {
+      why.push_back(hint);
+    } else if (offered != world_.offered.end()) {
+      const std::string where = "Pyodide's distribution has it, in `" + offered->second + "`";
+      why.push_back(world_.takes_offered
+                        ? where + "; `python: packages: [" + offered->second +
+                              "]` of workspace.yaml asks for it"
+                        : where + ", which `python: index: none` of workspace.yaml leaves out");
+    } else {
+      why.emplace_back(kWheel);
+    }
     add(one, "no package of the site has the module `" + top + "`", std::move(why), needed);
   }
 

@@ -19,6 +19,12 @@ struct PythonWorld {
   const std::map<std::string, std::string>& interfaces;  ///< by type: "std_msgs/msg/String"
   const std::vector<std::string>& channel_names;         ///< of all packages there, sorted
   std::string distro;
+  /// Projects of libraries that the site can have, by top-level module; their files are not
+  /// followed.
+  std::map<std::string, std::string> libraries = {};
+  /// And of those that the workspace did not ask for, for messages.
+  std::map<std::string, std::string> offered = {};
+  bool takes_offered = true;  ///< the manifest does not leave them out
 };
 
 struct ImportReport {
@@ -26,6 +32,7 @@ struct ImportReport {
   /// Python has and what does not work in a site. Files are named as they are installed.
   Diagnostics missing;
   std::set<std::string> own_files;  ///< of the workspace: what the program may import, and itself
+  std::set<std::string> libraries;  ///< projects: what the program may import of them
   std::set<std::string> compiled;   ///< top-level modules with compiled parts, of the channels
 };
 

@@ -37,9 +37,6 @@ constexpr std::string_view kCommands =
     "(`get_topic_names_and_types()`), and for types `rosidl_runtime_py.utilities`";
 constexpr std::string_view kRos1 =
     "it is of ROS 1; in ROS 2 nodes import `rclpy`, and for transforms `tf2_ros`";
-constexpr std::string_view kOptimiser =
-    "it is compiled code, which has no build for the Python of sites; small problems can be "
-    "solved with `numpy.linalg`, others by a node in C++";
 constexpr std::string_view kKdl =
     "Orocos KDL is compiled code, which has no build for the Python of sites; frames are "
     "transformed by `tf2_geometry_msgs`, turns by `tf_transformations` or `transforms3d`";
@@ -48,9 +45,6 @@ constexpr std::string_view kKdl =
 constexpr auto kHints = std::to_array<Hint>({
     {"Adafruit_GPIO", kHardware},
     {"Adafruit_PCA9685", kHardware},
-    {"PIL",
-     "Pillow is compiled code, which has no build for the Python of sites; an image's `data` is "
-     "its bytes, which numpy takes (`numpy.frombuffer`), and the page shows sensor_msgs/msg/Image"},
     {"PyKDL", kKdl},
     {"PyQt5", kNoWidgets},
     {"PyQt6", kNoWidgets},
@@ -60,13 +54,10 @@ constexpr auto kHints = std::to_array<Hint>({
     {"RPi", kHardware},
     {"aiohttp", kNoRequests},
     {"busio", kHardware},
-    {"casadi", kOptimiser},
     {"curses",
      "a node's console has no cursor that could be moved; `termios`, `tty` and `select` read "
      "single keys, and what is printed is shown line by line"},
-    {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
     {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
-    {"cvxpy", kOptimiser},
     {"dynamixel_sdk", kHardware},
     {"evdev", kHardware},
     {"face_recognition", kCompiled},
@@ -80,7 +71,6 @@ constexpr auto kHints = std::to_array<Hint>({
     {"keyboard", kKeys},
     {"launch", kLaunch},
     {"launch_ros", kLaunch},
-    {"matplotlib", "it is not there for the Python of sites; the page plots what a node publishes"},
     {"mediapipe", kCompiled},
     {"nav2_simple_commander",
      "Nav2 is not in the channels; its actions can be called with `rclpy.action.ActionClient`, "
@@ -90,9 +80,7 @@ constexpr auto kHints = std::to_array<Hint>({
      "without its decorators, in numpy where they are vectorised"},
     {"open3d", kCompiled},
     {"paho", kNoSockets},
-    {"pandas", kCompiled},
     {"psutil", "a browser tells nothing of the machine's processes, memory and load"},
-    {"pydantic", kCompiled},
     {"pygame", kNoWindows},
     {"pymavlink", kNoSockets},
     {"pynput", kKeys},
@@ -119,13 +107,7 @@ constexpr auto kHints = std::to_array<Hint>({
     {"rospy", kRos1},
     {"rqt_gui", kNoWidgets},
     {"rqt_gui_py", kNoWidgets},
-    {"scipy",
-     "of SciPy a site has `scipy.spatial.transform`; the rest is compiled code, which nobody "
-     "compiles for the Python of sites; linear algebra can be done with numpy"},
     {"serial", kHardware},
-    {"shapely", kCompiled},
-    {"skimage", kCompiled},
-    {"sklearn", kCompiled},
     {"smbus", kHardware},
     {"smbus2", kHardware},
     {"spidev", kHardware},

@@ -9,6 +9,7 @@ export interface SiteNotebook {
   /** As of a node of kind "python". */
   readonly program: string;
   readonly archives: readonly string[];
+  readonly libraries?: readonly string[];
 }
 
 /** Forms by MIME type: texts, bytes as base64, or what JSON can say. */
@@ -53,10 +54,11 @@ export interface NotebookKernel {
 export const kernelId = 'notebook';
 
 /** The node that runs it. */
-export function kernelNode({ file, program, archives }: SiteNotebook): ProgramNode {
+export function kernelNode({ file, program, archives, libraries }: SiteNotebook): ProgramNode {
   const name = file.slice(file.lastIndexOf('/') + 1);
   return {
-    id: kernelId, package: '', executable: name, label: name, kind: 'python', program, python: { archives, entry: 'ros2wasm.notebook:main' },
+    id: kernelId, package: '', executable: name, label: name, kind: 'python', program,
+    python: { archives, ...(libraries === undefined ? {} : { libraries }), entry: 'ros2wasm.notebook:main' },
     threads: false, arguments: [], environment: {}, output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
   };
 }

@@ -15,6 +15,8 @@ export interface SourcePlace {
 export interface PythonProgram {
   /** Zip files, unpacked over each other into one installation. */
   readonly archives: readonly string[];
+  /** Compiled libraries in the installation that are loaded before any code, in this order. */
+  readonly libraries?: readonly string[];
   /** `module:function`, or the path of a script in the installation. */
   readonly entry: string;
 }

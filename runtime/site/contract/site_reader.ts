@@ -18,7 +18,12 @@ function readPython(value: unknown, what: string): PythonProgram {
   const entry = text(json, 'entry', what);
   // A module and a function of it, or a path.
   if (!entry.includes(':')) path(entry, `${what}.entry`);
-  return { archives: list(json, 'archives', what, archive), entry };
+  return { archives: list(json, 'archives', what, archive), ...readLibraries(json, what), entry };
+}
+
+function readLibraries(json: Json, what: string): { readonly libraries?: readonly string[] } {
+  if (json['libraries'] === undefined) return {};
+  return { libraries: list(json, 'libraries', what, (item, where) => path(typeof item === 'string' ? item : '', where)) };
 }
 
 function readLineTest(value: unknown, what: string): LineTest {
@@ -235,6 +240,7 @@ function readNotebook(value: unknown): SiteNotebook {
     file: path(text(json, 'file', what), `${what}.file`),
     program: path(text(json, 'program', what), `${what}.program`),
     archives: list(json, 'archives', what, archive),
+    ...readLibraries(json, what),
   };
 }
 

@@ -16,6 +16,7 @@ import type { ProgramMemory } from '../program/program_memory.ts';
 import type { PythonParts } from './python_files.ts';
 import { type WatchedSystem, watchOutput } from './python_output.ts';
 import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
+import { loadLibraries } from './python_libraries.ts';
 import { placeSources } from './python_sources.ts';
 import { Interrupts, interrupt, threadFunctions } from './python_threads.ts';
 import { type MakePythonImage, addressOf, archivesOf, fetchedOf, install, prefix, pythonEnvironment, readImage, restoreFiles, startModule } from './python_image.ts';
@@ -280,6 +281,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
     const { python } = begun;
     ({ memory } = begun);
     if (start.sources !== undefined) placeSources(python, start.sources, reports.read);
+    await loadLibraries(python, start.libraries ?? [], prefix);
     const writer = (stream: 'stdout' | 'stderr') => ({
       isatty: false,
       write: (bytes: Uint8Array): number => {

@@ -3,6 +3,7 @@ add_executable(bundler_channel_test
   archive/conda_writer_test.cpp
   archive/extract_limits_test.cpp
   archive/hostile_archive_test.cpp
+  archive/side_module_test.cpp
   archive/wheel_reader_test.cpp
   channel/channel_index_test.cpp
   channel/channel_network_test.cpp

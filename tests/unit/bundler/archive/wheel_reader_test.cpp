@@ -114,6 +114,35 @@ TEST_F(WheelReader, NothingOfAHostileOneIsTaken) {
   EXPECT_EQ(read_bytes("").errors().front().code.text(), "R2W0221");
 }
 
+// Guarantee, hostile input: Python libraries that unpack to more than 256 MiB
+TEST_F(WheelReader, IsNoLargerThanAPageCanHold) {
+  ZipWriter zip;
+  const std::string block(std::size_t{30} << 20U, 'x');
+  for (int i = 0; i < 10; ++i) zip.member("parts/" + std::to_string(i) + ".bin", block);
+  const auto file = tree_.write("large.whl", zip.finish());
+  const WheelName name = *wheel_name("parts-1.2-py3-none-any.whl");
+  EXPECT_EQ(read_wheel(file, name, {}).errors().front().code.text(), "R2W0225");
+  EXPECT_EQ(read_shared_libraries(file, "large.zip", {}).errors().front().code.text(), "R2W0225");
+}
+
+TEST_F(WheelReader, CompiledModulesAreThoseOfSideModules) {
+  const std::string module("\0asm\1\0\0\0", 8);
+  const auto file = tree_.write("teeth.zip", [&] {
+    ZipWriter zip;
+    zip.member("libteeth.so", module);
+    return zip.finish();
+  }());
+  const auto refused = read_shared_libraries(file, "teeth.zip", {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.errors().front().code.text(), "R2W0245");
+  EXPECT_EQ(refused.errors().front().message,
+            "the compiled module `libteeth.so` of `teeth.zip` is not one that a site may load");
+  ZipWriter empty;
+  empty.member("README", "nothing");
+  const auto other = tree_.write("empty.zip", empty.finish());
+  EXPECT_EQ(read_shared_libraries(other, "empty.zip", {}).errors().front().code.text(), "R2W0221");
+}
+
 TEST_F(WheelReader, RecordHasEveryFileWithItsHash) {
   const auto refused = [&](const std::string& record) {
     const auto wheel = read(good(), record);

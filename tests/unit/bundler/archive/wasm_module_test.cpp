@@ -1,5 +1,5 @@
 // The outer structure of modules: imports, kinds of link, names kept apart, hostile bytes.
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // See wasm_module.hpp. The format is that of the WebAssembly core specification, section 5.5.
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/archive/wasm_module.hpp"
 
 #include <algorithm>
 
-#include "bundler/build/wasm_cursor.hpp"
+#include "bundler/archive/wasm_cursor.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -76,7 +76,7 @@ mast:
     amplitude: 0.8
 `;
 
-/** A controller that is no part of any channel: it follows a sine of simulated time. */
+/** A controller of the workspace: it follows a sine of simulated time. */
 const swing = `
 #include <cmath>
 #include <string>
@@ -168,7 +168,7 @@ ${launchTail}`,
 ${launchTail}`,
 };
 
-/** Drives 2 m/s-steps by stamped velocities for 3 s of simulated time, and says what it has seen. */
+/** Drives a bend by stamped velocities for 3 s of simulated time, and says what it has seen. */
 const driver = `
 import math
 import rclpy
@@ -238,7 +238,7 @@ const withOne = (lab: Lab): string =>
 
 before(async () => {
   for (const lab of ['sim', 'classic'] as const) {
-    const workspace = new PackWorkspace(lab === 'sim' ? 'shared' : 'port');
+    const workspace = new PackWorkspace('shared');
     workspaces.set(lab, workspace);
     workspace.addPackage('mover', {}, {
       cmake: `find_package(controller_interface REQUIRED)
@@ -283,9 +283,9 @@ function expectDriven(said: string): void {
 }
 
 for (const lab of ['sim', 'classic'] as const)
-  test(`${lab}, Node.js: controllers of the channel and of the workspace move the robot`, watchdog, async () => {
+  test(`${lab}, Node.js, ${lab === 'sim' ? 'shared' : 'port'}: controllers of the channel and of the workspace move the robot`, watchdog, async () => {
     const workspace = workspaces.get(lab) ?? assert.fail();
-    const run = await workspace.run(['run', 'site', '--for', '15s']);
+    const run = await workspace.run(['run', 'site', '--for', '15s', '--link', lab === 'sim' ? 'shared' : 'port']);
     const said = run.stdout + run.stderr;
     expectDriven(said);
     assert.match(said, /begins at 0\.30/);

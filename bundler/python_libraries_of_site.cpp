@@ -46,22 +46,28 @@ std::set<std::string> top_modules(const Wheel& wheel) {
   return modules;
 }
 
+/// Libraries that others need come first.
+std::vector<std::string> in_load_order(const Needs& needed) {
+  std::set<std::string> all;
+  for (const auto& [name, needs] : needed) all.insert(name);
+  return libraries_in_order(all, needed);
+}
+
 /// The files of a wheel, and those of its compiled modules that others of it need.
 LibraryInput of_wheel(const Wheel& wheel) {
   LibraryInput input;
   for (const auto& [path, bytes] : wheel.files) input.files.emplace(installed(path), bytes);
   std::set<std::string> names;
   for (const auto& [path, needed] : wheel.side_modules) names.insert(needed.begin(), needed.end());
-  for (const auto& [path, needed] : wheel.side_modules)
-    if (names.contains(file_name(path))) input.load.push_back(installed(path));
+  std::map<std::string, std::string> places;
+  Needs libraries;
+  for (const auto& [path, needed] : wheel.side_modules) {
+    if (names.contains(file_name(path)) && places.emplace(file_name(path), path).second)
+      libraries.emplace(file_name(path), needed);
+  }
+  for (const std::string& name : in_load_order(libraries))
+    input.load.push_back(installed(places.at(name)));
   return input;
-}
-
-/// Libraries that others need come first.
-std::vector<std::string> in_load_order(const Needs& needed) {
-  std::set<std::string> all;
-  for (const auto& [name, needs] : needed) all.insert(name);
-  return libraries_in_order(all, needed);
 }
 
 LibraryInput of_shared(const SharedLibraries& shared) {

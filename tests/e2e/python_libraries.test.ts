@@ -107,7 +107,8 @@ test('imports are resolved by the lock, locked, packed for those who import them
     const common = ['python/channels.zip', 'python/workspace.zip'];
     const own = ['rods', 'teeth', 'gear-box', 'springs'].map((one) => `python/libraries/${one}.zip`);
     assert.deepEqual(plan?.python.archives, [...common, 'python/numpy.zip', ...own]);
-    assert.deepEqual(plan.python.libraries, ['lib/libteeth.so']);
+    const ofSprings = ['libwire.so', 'libcoil.so'].map((one) => `lib/python3.12/site-packages/springs.libs/${one}`);
+    assert.deepEqual(plan.python.libraries, ['lib/libteeth.so', ...ofSprings]);
     assert.deepEqual([idle?.python.archives, idle?.python.libraries], [common, undefined]);
 
     const ran = await workspace.run(['run', 'site', '--for', '120s', '--until', 'plan says']);

@@ -4,10 +4,10 @@
   make_python_libraries.py FOLDER [--numpy]
 
 In it: `gear-box`, a wheel with an extension module in C that needs `libteeth.so`; `teeth`, the archive of that
-library; `springs`, a wheel of one module for the stable ABI; `rods`, plain Python; `liar`, `cut` and `outsider`, whose
-modules a site must not load; with --numpy, npm's numpy as a wheel. The lock is FOLDER/pyodide-lock.json. Side modules
-are linked by this machine's Emscripten, whose calls of plain C functions are those of the one that Pyodide was built
-with; the few declarations of Python's C API that they need are their own.
+library; `springs`, a wheel for the stable ABI with two libraries of its own; `rods`, plain Python; `liar`, `cut` and
+`outsider`, whose modules a site must not load; with --numpy, npm's numpy as a wheel. The lock is
+FOLDER/pyodide-lock.json. Side modules are linked by this machine's Emscripten, whose calls of plain C functions are
+those of the one that Pyodide was built with; the few declarations of Python's C API that they need are their own.
 """
 from __future__ import annotations
 
@@ -45,8 +45,19 @@ static PyObject* teeth(PyObject* self, PyObject* number) { return PyLong_FromLon
 ONE_FUNCTION(_gear, teeth, 1013)
 """
 SPRINGS = API + """
-static PyObject* stiffness(PyObject* self, PyObject* number) { return PyLong_FromLong(40 * PyLong_AsLong(number)); }
+extern int stiffness_of(int);
+static PyObject* stiffness(PyObject* self, PyObject* number) {
+  return PyLong_FromLong(stiffness_of(PyLong_AsLong(number))); }
 ONE_FUNCTION(springs, stiffness, 3)
+"""
+COIL = """
+extern int turns;
+extern int wire_of(int);
+__attribute__((visibility("default"))) int stiffness_of(int number) { return turns * wire_of(number); }
+"""
+WIRE = """
+__attribute__((visibility("default"))) int turns = 8;
+__attribute__((visibility("default"))) int wire_of(int number) { return 5 * number; }
 """
 TEETH = """
 static int table[4] = {7, 11, 13, 17};
@@ -88,10 +99,10 @@ def wheel(folder: Path, project: str, version: str, tags: str, files: dict[str, 
 def hostile_modules(good: bytes) -> dict[str, bytes]:
     """By what is wrong with them: more data than memory, cut, functions of the page."""
     begin = good.index(b"dylink.0") + len(b"dylink.0")
-    assert good[begin] == 1 and good[begin + 2] >= 128 > good[begin + 3], "the memory's size is a number of two bytes"
+    assert good[begin] == 1 and 0 < good[begin + 2] < 128, "the memory's size is a number of one byte"
     outside = bytes([2, 16, 1, 6]) + b"window" + bytes([5]) + b"fetch" + bytes([0, 0])
     head = good[:8] + bytes([0, 15, 8]) + b"dylink.0" + bytes([1, 4, 0, 0, 0, 0])
-    return {"liar": good[:begin + 2] + b"\x81\0" + good[begin + 4:], "cut": good[:-5], "outsider": head + outside}
+    return {"liar": good[:begin + 2] + b"\0" + good[begin + 3:], "cut": good[:-5], "outsider": head + outside}
 
 
 def numpy_files() -> dict[str, bytes]:
@@ -124,7 +135,10 @@ def main() -> None:
     try:
         teeth = side_module(work, "libteeth.so", TEETH, "_teeth_of")
         gear = side_module(work, "_gear.so", GEAR, "_PyInit__gear", teeth)
-        springs = side_module(work, "springs.so", SPRINGS, "_PyInit_springs")
+        wire = side_module(work, "libwire.so", WIRE, "_wire_of,_turns")
+        coil = side_module(work, "libcoil.so", COIL, "_stiffness_of", wire)
+        springs = side_module(work, "springs.so", SPRINGS, "_PyInit_springs", coil)
+        own = {f"springs.libs/{one.name}": one.read_bytes() for one in (coil, wire)}
         archive(folder / "teeth-1.0.zip", {"libteeth.so": teeth.read_bytes()})
         add("teeth", "1.0", "teeth-1.0.zip", [], [], "shared_library")
         gearbox = {"gearbox/__init__.py": b"from gearbox._gear import teeth\nfrom rods import LENGTH\n",
@@ -132,9 +146,9 @@ def main() -> None:
         add("gear-box", "2.0", wheel(folder, "gear_box", "2.0", f"cp312-cp312-{PLATFORM}", gearbox, ["rods"]),
             ["gearbox"], ["rods", "teeth"])
         add("springs", "1.1", wheel(folder, "springs", "1.1", f"cp39-abi3-{PLATFORM}",
-                                    {"springs.abi3.so": springs.read_bytes()}, []), ["springs"], [])
+                                    {"springs.abi3.so": springs.read_bytes(), **own}, []), ["springs"], [])
         add("rods", "3.0", wheel(folder, "rods", "3.0", "py3-none-any", {"rods.py": b"LENGTH = 5\n"}, []), ["rods"], [])
-        for name, module in hostile_modules(springs.read_bytes()).items():
+        for name, module in hostile_modules(wire.read_bytes()).items():
             files = {f"{name}.abi3.so": module}
             add(name, "1.0", wheel(folder, name, "1.0", f"cp39-abi3-{PLATFORM}", files, []), [name], [])
         if options.numpy:

@@ -24,7 +24,8 @@ std::string robot(const std::string& tags) {
     <mimic joint="slew" multiplier="-0.5" offset="0.1"/>
   </joint>
   <joint name="bolt" type="fixed"><parent link="jib"/><child link="hook"/></joint>
-  )" + tags + "</robot>";
+  )" + tags +
+         "</robot>";
 }
 
 std::string system_tag(const std::string& inside) {
@@ -84,7 +85,8 @@ TEST(control_tags, limits_are_the_narrower_of_joint_and_interface) {
       <command_interface name="velocity"><param name="min">-0.2</param><param name="max">0.6</param>
       </command_interface>
       <command_interface name="acceleration"><param name="max">4</param></command_interface>
-    </joint>)")).front();
+    </joint>)"))
+                        .front();
   const auto& limits = info.limits.at("slew");
   EXPECT_TRUE(limits.has_position_limits);
   EXPECT_DOUBLE_EQ(limits.min_position, -1.5);
@@ -122,10 +124,11 @@ TEST(control_tags, a_mimic_joint_follows_by_index) {
     <joint name="slew"/><joint name="luff"><command_interface name="position"/></joint>)")),
             "Joint 'luff' has mimic attribute not set to false: Activated mimic joints cannot have "
             "command interfaces.");
-  EXPECT_TRUE(parse_control_resources_from_urdf(system_tag(R"(<hardware><plugin>p</plugin></hardware>
+  EXPECT_TRUE(
+      parse_control_resources_from_urdf(system_tag(R"(<hardware><plugin>p</plugin></hardware>
     <joint name="slew"/><joint name="luff" mimic="false"><command_interface name="position"/></joint>)"))
-                  .front()
-                  .mimic_joints.empty());
+          .front()
+          .mimic_joints.empty());
 }
 
 TEST(control_tags, transmissions_take_the_interfaces_of_their_joints) {
@@ -136,7 +139,8 @@ TEST(control_tags, transmissions_take_the_interfaces_of_their_joints) {
       <plugin>transmission_interface/SimpleTransmission</plugin>
       <joint name="slew" role="joint1"><mechanical_reduction>325.9</mechanical_reduction></joint>
       <actuator name="motor" role="actuator1"><offset>0.5</offset></actuator>
-    </transmission>)")).front();
+    </transmission>)"))
+                        .front();
   const auto& gear = info.transmissions.at(0);
   EXPECT_EQ(gear.joints.at(0).command_interfaces, std::vector<std::string>{"position"});
   EXPECT_EQ(gear.joints.at(0).state_interfaces, std::vector<std::string>{"velocity"});
@@ -146,7 +150,8 @@ TEST(control_tags, transmissions_take_the_interfaces_of_their_joints) {
 
 TEST(control_tags, mistakes_are_named) {
   EXPECT_EQ(error_of(""), "empty URDF passed to robot");
-  EXPECT_EQ(error_of("<robot"), "invalid URDF passed in to robot parser: line 1: the tag of robot does not end");
+  EXPECT_EQ(error_of("<robot"),
+            "invalid URDF passed in to robot parser: line 1: the tag of robot does not end");
   EXPECT_EQ(error_of(robot("")), "no 'ros2_control' tag found in the URDF");
   EXPECT_EQ(error_of(robot("<ros2_control name='x'/>")),
             "no attribute 'type' in 'ros2_control' tag with name 'x'");

@@ -99,7 +99,8 @@ ChainableControllerInterface::export_reference_interfaces() {
 bool ChainableControllerInterface::set_chained_mode(bool chained_mode) {
   if (get_lifecycle_id() == lifecycle_msgs::msg::State::PRIMARY_STATE_ACTIVE) {
     RCLCPP_ERROR(get_node()->get_logger(),
-                 "Can not change controller's chained mode because it is no in '%s' state. "
+                 "Can not change controller's chained mode because it is "
+                 "no in '%s' state. "
                  "Current state is '%s'.",
                  hardware_interface::lifecycle_state_names::UNCONFIGURED,
                  get_lifecycle_state().label().c_str());

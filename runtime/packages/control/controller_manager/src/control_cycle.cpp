@@ -81,8 +81,8 @@ bool ControllerManager::is_its_turn(const ControllerSpec& spec, const rclcpp::Ti
     period = is_first ? period : time - *spec.last_update_cycle_time;
     return true;
   }
-  period = is_first ? rclcpp::Duration::from_seconds(1.0 / rate)
-                    : time - *spec.last_update_cycle_time;
+  period =
+      is_first ? rclcpp::Duration::from_seconds(1.0 / rate) : time - *spec.last_update_cycle_time;
   const double error_now = std::abs(period.seconds() * rate - 1.0);
   const double error_if_skipped = std::abs((period.seconds() + 1.0 / update_rate_) * rate - 1.0);
   return is_first || error_now <= error_if_skipped;
@@ -164,7 +164,8 @@ void ControllerManager::fall_back(const std::vector<std::string>& failed) {
                  joined(in_the_way).c_str());
   }
   if (!fallbacks.empty()) {
-    RCLCPP_ERROR(get_logger(), "Activating fallback controllers : [ %s]", joined(fallbacks).c_str());
+    RCLCPP_ERROR(get_logger(), "Activating fallback controllers : [ %s]",
+                 joined(fallbacks).c_str());
   }
   std::vector<std::string> to_stop = failed;
   ros2_control::add_items(to_stop, in_the_way);
@@ -176,8 +177,9 @@ void ControllerManager::fall_back(const std::vector<std::string>& failed) {
   }
   if (!resource_manager_->prepare_command_mode_switch(needed, stopped) ||
       !resource_manager_->perform_command_mode_switch(needed, stopped)) {
-    RCLCPP_ERROR(get_logger(), "Error while attempting mode switch when deactivating controllers in "
-                               "update cycle!");
+    RCLCPP_ERROR(get_logger(),
+                 "Error while attempting mode switch when deactivating controllers in "
+                 "update cycle!");
   }
   deactivate_controllers(to_stop);
   activate_controllers(fallbacks, Switch::STRICT);

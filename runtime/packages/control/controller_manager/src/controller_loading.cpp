@@ -40,8 +40,7 @@ void ControllerManager::make_loaders() {
   using controller_interface::ChainableControllerInterface;
   using controller_interface::ControllerInterface;
   if (!loader_) {
-    loader_ =
-        std::make_shared<pluginlib::ClassLoader<ControllerInterface>>(kPackage, kPlainBase);
+    loader_ = std::make_shared<pluginlib::ClassLoader<ControllerInterface>>(kPackage, kPlainBase);
     chainable_loader_ = std::make_shared<pluginlib::ClassLoader<ChainableControllerInterface>>(
         kPackage, kChainableBase);
   }
@@ -63,7 +62,8 @@ ControllerInterfaceBaseSharedPtr ControllerManager::load_controller(
       RCLCPP_ERROR(get_logger(), "Loader for controller '%s' (type '%s') not found.",
                    controller_name.c_str(), controller_type.c_str());
       RCLCPP_INFO(get_logger(), "Available classes:");
-      for (const auto& known : {loader_->getDeclaredClasses(), chainable_loader_->getDeclaredClasses()}) {
+      for (const auto& known :
+           {loader_->getDeclaredClasses(), chainable_loader_->getDeclaredClasses()}) {
         for (const std::string& name : known) {
           RCLCPP_INFO(get_logger(), "  %s", name.c_str());
         }
@@ -295,7 +295,8 @@ ControllerManager::ReturnType ControllerManager::configure_controller(
       return ReturnType::ERROR;
     }
   } catch (const std::exception& error) {
-    RCLCPP_ERROR(get_logger(), "Caught exception of type : %s while configuring controller '%s': %s",
+    RCLCPP_ERROR(get_logger(),
+                 "Caught exception of type : %s while configuring controller '%s': %s",
                  typeid(error).name(), controller_name.c_str(), error.what());
     if (!handle_exceptions_) {
       throw;
@@ -415,10 +416,11 @@ ControllerManager::ReturnType ControllerManager::unload_controller(
     const Lock lock(controllers_lock_);
     const ControllerSpec* const found = find_controller(controller_name);
     if (found == nullptr) {
-      RCLCPP_ERROR(get_logger(),
-                   "Could not unload controller with name '%s' because no controller with this name "
-                   "exists",
-                   controller_name.c_str());
+      RCLCPP_ERROR(
+          get_logger(),
+          "Could not unload controller with name '%s' because no controller with this name "
+          "exists",
+          controller_name.c_str());
       return ReturnType::ERROR;
     }
     if (found->c->get_lifecycle_id() == State::PRIMARY_STATE_ACTIVE) {

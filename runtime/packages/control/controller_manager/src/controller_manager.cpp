@@ -230,7 +230,8 @@ void ControllerManager::set_components_to(const std::vector<std::string>& compon
     rclcpp_lifecycle::State target(state, label);
     if (resource_manager_->set_component_state(name, target) !=
         hardware_interface::return_type::OK) {
-      if (declared<bool>(*this, "hardware_components_initial_state.shutdown_on_initial_state_failure",
+      if (declared<bool>(*this,
+                         "hardware_components_initial_state.shutdown_on_initial_state_failure",
                          true, false)) {
         throw std::runtime_error("Failed to set the initial state of the component : " + name +
                                  " to " + label);

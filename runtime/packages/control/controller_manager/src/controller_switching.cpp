@@ -86,7 +86,8 @@ ControllerManager::ReturnType ControllerManager::switch_controller_cb(
   }
   strictness = known_strictness(strictness);
   if (!activate_controllers.empty()) {
-    RCLCPP_INFO(get_logger(), "Activating controllers: [ %s]", joined(activate_controllers).c_str());
+    RCLCPP_INFO(get_logger(), "Activating controllers: [ %s]",
+                joined(activate_controllers).c_str());
   }
   if (!deactivate_controllers.empty()) {
     RCLCPP_INFO(get_logger(), "Deactivating controllers: [ %s]",
@@ -138,8 +139,8 @@ ControllerManager::ReturnType ControllerManager::switch_controller_cb(
                                                  : std::chrono::nanoseconds(timeout.nanoseconds());
     if (!switch_done_.wait_for(lock, wait, [this] { return asked_switch_ == nullptr; })) {
       asked_switch_.reset();
-      message = "Switch controller timed out after " + std::to_string(wait.count() / 1e9) +
-                " seconds!";
+      message =
+          "Switch controller timed out after " + std::to_string(wait.count() / 1e9) + " seconds!";
       RCLCPP_ERROR(get_logger(), "%s", message.c_str());
       return ReturnType::ERROR;
     }
@@ -245,11 +246,12 @@ void ControllerManager::switch_chained_mode(
   for (const std::string& name : chained_mode_switch_list) {
     ControllerSpec* const spec = find_controller(name);
     if (spec != nullptr && !spec->c->set_chained_mode(to_chained_mode)) {
-      RCLCPP_ERROR(get_logger(),
-                   "Got request to turn %s chained mode for controller '%s', but controller refused "
-                   "to do it! The control will probably not work as expected. Try to restart all "
-                   "controllers. If the error persist check controllers' individual configuration.",
-                   to_chained_mode ? "ON" : "OFF", name.c_str());
+      RCLCPP_ERROR(
+          get_logger(),
+          "Got request to turn %s chained mode for controller '%s', but controller refused "
+          "to do it! The control will probably not work as expected. Try to restart all "
+          "controllers. If the error persist check controllers' individual configuration.",
+          to_chained_mode ? "ON" : "OFF", name.c_str());
     }
   }
 }
@@ -257,9 +259,8 @@ void ControllerManager::switch_chained_mode(
 bool ControllerManager::claim_interfaces(ControllerSpec& spec) {
   std::vector<hardware_interface::LoanedCommandInterface> commands;
   std::vector<hardware_interface::LoanedStateInterface> states;
-  spec.info.claimed_interfaces =
-      names_of(spec.c->command_interface_configuration(),
-               resource_manager_->available_command_interfaces());
+  spec.info.claimed_interfaces = names_of(spec.c->command_interface_configuration(),
+                                          resource_manager_->available_command_interfaces());
   const char* kind = "command";
   try {
     for (const std::string& name : spec.info.claimed_interfaces) {

@@ -81,17 +81,17 @@ void ManagerServices::start() {
 }
 
 void ManagerServices::add_listing() {
-  add<srv::ListControllers>(
-      "list_controllers", [this](const auto&, auto& response) { list_controllers(response); });
+  add<srv::ListControllers>("list_controllers",
+                            [this](const auto&, auto& response) { list_controllers(response); });
   add<srv::ListControllerTypes>("list_controller_types", [this](const auto&, auto& response) {
     list_types(response.types, response.base_classes);
   });
-  add<srv::ListHardwareComponents>(
-      "list_hardware_components",
-      [this](const auto&, auto& response) { list_components(response); });
-  add<srv::ListHardwareInterfaces>(
-      "list_hardware_interfaces",
-      [this](const auto&, auto& response) { list_interfaces(response); });
+  add<srv::ListHardwareComponents>("list_hardware_components", [this](const auto&, auto& response) {
+    list_components(response);
+  });
+  add<srv::ListHardwareInterfaces>("list_hardware_interfaces", [this](const auto&, auto& response) {
+    list_interfaces(response);
+  });
 }
 
 void ManagerServices::add_steering() {
@@ -104,10 +104,10 @@ void ManagerServices::add_steering() {
       });
   add<srv::SwitchController>("switch_controller", [this](const auto& request, auto& response) {
     response.ok =
-        manager_.switch_controller_cb(request.activate_controllers, request.deactivate_controllers,
-                                      request.strictness, request.activate_asap,
-                                      rclcpp::Duration(request.timeout.sec, request.timeout.nanosec),
-                                      response.message) == ReturnType::OK;
+        manager_.switch_controller_cb(
+            request.activate_controllers, request.deactivate_controllers, request.strictness,
+            request.activate_asap, rclcpp::Duration(request.timeout.sec, request.timeout.nanosec),
+            response.message) == ReturnType::OK;
   });
   add<srv::UnloadController>("unload_controller", [this](const auto& request, auto& response) {
     response.ok = manager_.unload_controller(request.name) == ReturnType::OK;
@@ -173,8 +173,7 @@ void ManagerServices::list_controllers(srv::ListControllers::Response& response)
   }
 }
 
-void ManagerServices::list_types(std::vector<std::string>& types,
-                                 std::vector<std::string>& bases) {
+void ManagerServices::list_types(std::vector<std::string>& types, std::vector<std::string>& bases) {
   manager_.make_loaders();
   const auto add_all = [&](const std::vector<std::string>& found, const std::string& base) {
     types.insert(types.end(), found.begin(), found.end());
@@ -256,9 +255,9 @@ void ManagerServices::set_component_state(const srv::SetHardwareComponentState::
     response.ok = false;
     return;
   }
-  rclcpp_lifecycle::State target(request.target_state.id,
-                                 request.target_state.label.empty() ? "unknown"
-                                                                    : request.target_state.label);
+  rclcpp_lifecycle::State target(request.target_state.id, request.target_state.label.empty()
+                                                              ? "unknown"
+                                                              : request.target_state.label);
   response.ok = resources.set_component_state(name, target) == hardware_interface::return_type::OK;
   const auto& now = resources.get_components_status().at(name).state;
   response.state.id = now.id();

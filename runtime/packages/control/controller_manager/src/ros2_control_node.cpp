@@ -31,10 +31,11 @@ int main(int argc, char** argv) {
   const auto cycle = [&manager, &clock, &last] {
     const rclcpp::Time now = clock->now();
     const rclcpp::Duration period = now - last;
-    if (period.nanoseconds() <= 0) {
-      return;  // the first tick of a clock that has just started, or a clock that was set back
-    }
+    const bool has_just_started = last.nanoseconds() == 0;
     last = now;
+    if (has_just_started || period.nanoseconds() <= 0) {
+      return;  // the first tick of simulated time, or a clock that was set back
+    }
     manager->read(now, period);
     manager->update(now, period);
     manager->write(now, period);

@@ -58,7 +58,8 @@ class Planner {
       return refused();
     }
     free_followers_of_stopped();
-    if (!check_all(plan_.activate, "activate", [this](const auto& one) { return may_start(one); }) ||
+    if (!check_all(plan_.activate, "activate",
+                   [this](const auto& one) { return may_start(one); }) ||
         !check_all(plan_.deactivate, "deactivate",
                    [this](const auto& one) { return may_stop(one); })) {
       return refused();
@@ -186,8 +187,8 @@ class Planner {
                     "' is not chainable.");
       }
       if (follower->state == LifeState::kActive) {
-        const bool stops = has(plan_.deactivate, follower->name) &&
-                           !has(plan_.activate, follower->name);
+        const bool stops =
+            has(plan_.deactivate, follower->name) && !has(plan_.activate, follower->name);
         if (stops && (is_command ? controller.takes_all_commands : controller.takes_all_states)) {
           continue;
         }
@@ -195,8 +196,7 @@ class Planner {
           return warn(subject + "currently active but it is requested to be deactivated.");
         }
       } else if (!has(plan_.activate, follower->name)) {
-        return warn(subject +
-                    "currently inactive and it is not requested to be activated.");
+        return warn(subject + "currently inactive and it is not requested to be activated.");
       }
       if (!followers_are_ready(*follower)) {
         return false;
@@ -292,8 +292,7 @@ class Planner {
     std::set<std::string> taken;
     for (const std::string& name : plan_.activate) {
       const ControllerView& controller = *find(controllers_, name);
-      const std::string subject =
-          "Unable to activate controller '" + name + "' since the ";
+      const std::string subject = "Unable to activate controller '" + name + "' since the ";
       for (const std::string& command : controller.commands) {
         const std::string text = subject + "command interface '" + command + "' ";
         if (commands.count(command) == 0) {

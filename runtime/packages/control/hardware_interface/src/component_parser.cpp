@@ -129,16 +129,16 @@ void apply_interfaces(const ComponentInfo& joint, joint_limits::JointLimits& lim
 void add_mimic(HardwareInfo& info, std::size_t index, const urdf::Joint& joint) {
   const ComponentInfo& component = info.joints[index];
   if (!joint.mimic && component.is_mimic == MimicAttribute::TRUE) {
-    throw std::runtime_error("Joint '" + component.name +
-                             "' has no mimic information in the URDF");
+    throw std::runtime_error("Joint '" + component.name + "' has no mimic information in the URDF");
   }
   if (!joint.mimic || component.is_mimic == MimicAttribute::FALSE) {
     return;
   }
   if (!component.command_interfaces.empty()) {
-    throw std::runtime_error("Joint '" + component.name +
-                             "' has mimic attribute not set to false: Activated mimic joints cannot "
-                             "have command interfaces.");
+    throw std::runtime_error(
+        "Joint '" + component.name +
+        "' has mimic attribute not set to false: Activated mimic joints cannot "
+        "have command interfaces.");
   }
   const std::string& followed = joint.mimic->joint_name;
   const auto found = std::find_if(info.joints.begin(), info.joints.end(),

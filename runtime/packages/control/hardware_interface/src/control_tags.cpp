@@ -51,8 +51,8 @@ int positive_number(const XmlElement& element, const char* name, int otherwise) 
 unsigned int rate_of(const XmlElement& element) {
   const std::string text = attribute_or(element, "rw_rate", "0");
   const auto refuse = [&element, &text](const std::string& why) {
-    return problem("Could not parse rw_rate tag in \"" + element.name + "\". " + why + " \"" + text +
-                   "\", expected a positive integer.");
+    return problem("Could not parse rw_rate tag in \"" + element.name + "\". " + why + " \"" +
+                   text + "\", expected a positive integer.");
   };
   try {
     const int rate = std::stoi(text);
@@ -204,7 +204,8 @@ class ControlTag {
   double number_in(const XmlElement& tag, const char* name, double otherwise) const {
     const XmlElement* const child = document_.child(tag, name);
     try {
-      return child == nullptr ? otherwise : hardware_interface::stod(ros2_control::strip(child->text));
+      return child == nullptr ? otherwise
+                              : hardware_interface::stod(ros2_control::strip(child->text));
     } catch (const std::invalid_argument&) {
       return otherwise;
     }
@@ -243,9 +244,9 @@ class ControlTag {
         found = candidate.name == joint.name ? &candidate : found;
       }
       if (found == nullptr) {
-        throw problem("Error while parsing '" + info.name + "'. Transmission '" + transmission.name +
-                      "' declared joint '" + joint.name + "' is not available in component '" +
-                      info.name + "'.");
+        throw problem("Error while parsing '" + info.name + "'. Transmission '" +
+                      transmission.name + "' declared joint '" + joint.name +
+                      "' is not available in component '" + info.name + "'.");
       }
       for (const InterfaceInfo& interface : found->command_interfaces) {
         joint.command_interfaces.push_back(interface.name);
@@ -263,8 +264,8 @@ class ControlTag {
                     std::to_string(transmission.joints.size()) + ".");
     }
     const JointInfo& joint = transmission.joints.front();
-    transmission.actuators.push_back(
-        {"actuator1", joint.state_interfaces, joint.command_interfaces, "actuator1", 1.0, 0.0, false});
+    transmission.actuators.push_back({"actuator1", joint.state_interfaces, joint.command_interfaces,
+                                      "actuator1", 1.0, 0.0, false});
   }
 
   const XmlDocument& document_;
@@ -292,7 +293,8 @@ std::vector<HardwareInfo> read_control_tags(const std::string& urdf) {
     parent = nullptr;
   }
   if (parent == nullptr) {
-    throw problem("the robot tag is not root element in URDF or sdf tag is not root element in SDF");
+    throw problem(
+        "the robot tag is not root element in URDF or sdf tag is not root element in SDF");
   }
   const auto tags = document.children(*parent, "ros2_control");
   if (tags.empty()) {

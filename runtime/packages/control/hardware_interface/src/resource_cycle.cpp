@@ -23,7 +23,8 @@ std::string lines_of(const std::vector<std::string>& names) {
   return text + "]\n";
 }
 
-std::string switch_text(const std::vector<std::string>& start, const std::vector<std::string>& stop) {
+std::string switch_text(const std::vector<std::string>& start,
+                        const std::vector<std::string>& stop) {
   return "Start interfaces: \n" + lines_of(start) + "Stop interfaces: \n" + lines_of(stop);
 }
 
@@ -120,7 +121,8 @@ bool ResourceManager::prepare_command_mode_switch(const std::vector<std::string>
       accepted = false;
     } else if (storage_->guarded<return_type>("preparing command mode switch for", name, prepare,
                                               return_type::ERROR) != return_type::OK) {
-      RCLCPP_ERROR(get_logger(), "Component '%s' did not accept command interfaces combination: \n%s",
+      RCLCPP_ERROR(get_logger(),
+                   "Component '%s' did not accept command interfaces combination: \n%s",
                    name.c_str(), switch_text(start, stop).c_str());
       accepted = false;
     }
@@ -233,7 +235,8 @@ HardwareReadWriteStatus ResourceManager::read(const rclcpp::Time& /*time*/,
     const return_type result =
         storage_->guarded<return_type>(kRead.name, name, read_one, return_type::ERROR);
     if (result == return_type::DEACTIVATE) {
-      RCLCPP_WARN(get_logger(), "DEACTIVATE returned from read cycle is treated the same as ERROR.");
+      RCLCPP_WARN(get_logger(),
+                  "DEACTIVATE returned from read cycle is treated the same as ERROR.");
     }
     if (result != return_type::OK) {
       component->error();

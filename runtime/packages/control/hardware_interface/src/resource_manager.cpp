@@ -45,7 +45,8 @@ rclcpp::Logger logger_of(
 }
 
 /// The interfaces of a description that its component did not export.
-std::string missing_interfaces(const std::vector<HardwareInfo>& all, const InterfaceLedger& ledger) {
+std::string missing_interfaces(const std::vector<HardwareInfo>& all,
+                               const InterfaceLedger& ledger) {
   std::string states;
   std::string commands;
   for (const HardwareInfo& info : all) {
@@ -62,9 +63,9 @@ std::string missing_interfaces(const std::vector<HardwareInfo>& all, const Inter
       }
     }
   }
-  return states.empty() && commands.empty()
-             ? ""
-             : "missing state interfaces:\n" + states + "\nmissing command interfaces:\n" + commands;
+  return states.empty() && commands.empty() ? ""
+                                            : "missing state interfaces:\n" + states +
+                                                  "\nmissing command interfaces:\n" + commands;
 }
 
 }  // namespace

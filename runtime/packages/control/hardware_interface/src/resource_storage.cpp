@@ -84,7 +84,8 @@ bool ResourceStorage::add(std::unique_ptr<HardwareComponentInterface> plugin,
   RCLCPP_INFO(logger_, "Initialize hardware '%s' ", info.name.c_str());
   const bool ready = guarded<bool>(
       "initializing", info.name,
-      [&] { return component.initialize(params).id() == State::PRIMARY_STATE_UNCONFIGURED; }, false);
+      [&] { return component.initialize(params).id() == State::PRIMARY_STATE_UNCONFIGURED; },
+      false);
   if (!ready) {
     RCLCPP_ERROR(logger_, "Failed to initialize hardware '%s'", info.name.c_str());
     return false;
@@ -140,8 +141,8 @@ bool ResourceStorage::step(HardwareComponent& component, const char* name,
 }
 
 bool ResourceStorage::configure(HardwareComponent& component) {
-  const bool done = step(component, "configure", &HardwareComponent::configure,
-                         State::PRIMARY_STATE_INACTIVE);
+  const bool done =
+      step(component, "configure", &HardwareComponent::configure, State::PRIMARY_STATE_INACTIVE);
   if (done) {
     const HardwareComponentInfo& known = infos_[component.get_name()];
     ledger.set_states_available(known.state_interfaces, true);

@@ -13,7 +13,8 @@ macro(pluginlib_export_plugin_description_file plugin_category relative_filename
   endif()
   get_filename_component(_name "${relative_filename}" NAME)
   install(FILES "${_file}" DESTINATION "share/${PROJECT_NAME}/${_folder}")
-  cmake_path(APPEND _description "share/${PROJECT_NAME}" "${_folder}" "${_name}")
+  set(_description "share/${PROJECT_NAME}")  # a macro's variables live on: one call must not see another's
+  cmake_path(APPEND _description "${_folder}" "${_name}")
   string(APPEND _PLUGINLIB_CONTENT_${plugin_category} "${_description}\n")
   list(APPEND _PLUGINLIB_DESCRIPTIONS_${plugin_category} "${_file}")
   list(APPEND _PLUGINLIB_CATEGORIES "${plugin_category}")

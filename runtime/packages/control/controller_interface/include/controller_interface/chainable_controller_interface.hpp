@@ -53,7 +53,7 @@ class ChainableControllerInterface : public ControllerInterfaceBase {
   std::vector<hardware_interface::StateInterface::SharedPtr> ordered_exported_state_interfaces_;
   std::unordered_map<std::string, hardware_interface::StateInterface::SharedPtr>
       exported_state_interfaces_;
-  /// What the older form of export refers to.
+  /// The values that the older form of export refers to.
   std::vector<double> state_interfaces_values_;
 
   std::vector<std::string> exported_reference_interface_names_;

@@ -1,4 +1,4 @@
-// What a controller is made with.
+// The parameters of a controller's init.
 #pragma once
 
 #include <string>

@@ -65,10 +65,10 @@ class ControllerManager : public rclcpp::Node {
   controller_interface::return_type cleanup_controller(const std::string& controller_name);
   std::vector<ControllerSpec> get_loaded_controllers() const;
 
-  template <typename T, typename std::enable_if<
-                            std::is_convertible<
-                                T*, controller_interface::ControllerInterfaceBase*>::value,
-                            T>::type* = nullptr>
+  template <typename T,
+            typename std::enable_if<
+                std::is_convertible<T*, controller_interface::ControllerInterfaceBase*>::value,
+                T>::type* = nullptr>
   controller_interface::ControllerInterfaceBaseSharedPtr add_controller(
       std::shared_ptr<T> controller, const std::string& controller_name,
       const std::string& controller_type) {
@@ -139,7 +139,8 @@ class ControllerManager : public rclcpp::Node {
   void remove_exported_interfaces(const ControllerSpec& controller);
   bool export_interfaces(const ControllerSpec& controller);
   void sort_controllers();
-  void read_controller_parameters(const std::string& name, hardware_interface::ControllerInfo& info);
+  void read_controller_parameters(const std::string& name,
+                                  hardware_interface::ControllerInfo& info);
   rclcpp::NodeOptions node_options_of(const ControllerSpec& controller) const;
 
   int known_strictness(int strictness);

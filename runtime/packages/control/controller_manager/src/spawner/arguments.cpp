@@ -44,7 +44,10 @@ class Options {
         throw UsageError{usage_line(), 0};
       }
       if (argument.size() < 2 || argument[0] != '-') {
-        names.push_back(argument);
+        // A substitution of a launch file may leave an empty argument.
+        if (!argument.empty()) {
+          names.push_back(argument);
+        }
         continue;
       }
       const bool is_long = argument.rfind("--", 0) == 0;

@@ -24,8 +24,7 @@ void lead(const rclcpp::Logger& logger, ManagerClient& client, const std::string
           bool activate) {
   srv::SetHardwareComponentState::Request request;
   request.name = component;
-  request.target_state.id =
-      activate ? State::PRIMARY_STATE_ACTIVE : State::PRIMARY_STATE_INACTIVE;
+  request.target_state.id = activate ? State::PRIMARY_STATE_ACTIVE : State::PRIMARY_STATE_INACTIVE;
   request.target_state.label = activate ? "active" : "inactive";
   const char* const action = activate ? "activated" : "configured";
   const auto answer =

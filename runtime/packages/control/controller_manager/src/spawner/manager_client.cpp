@@ -37,9 +37,11 @@ ManagerClient::ManagerClient(rclcpp::Node::SharedPtr node, std::string manager,
       call_timeout_(call_timeout) {}
 
 void ManagerClient::wait_for(rclcpp::ClientBase& client, const std::string& name) const {
+  // A client that has just been made takes a moment to find a service that has long been there.
+  constexpr std::chrono::milliseconds kDiscovery(250);
+  client.wait_for_service(kDiscovery);
   while (!client.service_is_ready()) {
-    RCLCPP_INFO(node_->get_logger(), "waiting for service %s to become available...",
-                name.c_str());
+    RCLCPP_INFO(node_->get_logger(), "waiting for service %s to become available...", name.c_str());
     const double seconds = service_timeout_ > 0.0 ? service_timeout_ : 10.0;
     if (client.wait_for_service(std::chrono::duration<double>(seconds))) {
       return;
@@ -64,7 +66,8 @@ void ManagerClient::report_no_answer(const std::string& name, int attempt) const
 }
 
 bool ManagerClient::is_loaded(const std::string& controller) {
-  const auto answer = call<srv::ListControllers>("list_controllers", srv::ListControllers::Request());
+  const auto answer =
+      call<srv::ListControllers>("list_controllers", srv::ListControllers::Request());
   return std::any_of(answer->controller.begin(), answer->controller.end(),
                      [&controller](const auto& one) { return one.name == controller; });
 }

@@ -1,4 +1,4 @@
-// What parameter files say of a controller.
+// Facts about a controller in parameter files.
 #include "param_files.hpp"
 
 #include <algorithm>
@@ -65,8 +65,9 @@ ControllerFileFacts read_param_files(const std::string& controller, const std::s
     for (const YamlNode* const section : sections) {
       const YamlNode* const parameters = entry(*section, "ros__parameters");
       if (parameters == nullptr) {
-        throw std::runtime_error("YAML file : " + file +
-                                 " is not a valid ROS parameter file for controller node : " + full);
+        throw std::runtime_error(
+            "YAML file : " + file +
+            " is not a valid ROS parameter file for controller node : " + full);
       }
       const YamlNode* const type = entry(*parameters, "type");
       if (type != nullptr && facts.type.empty()) {

@@ -1,4 +1,4 @@
-// What parameter files say of a controller before it is loaded. This file needs no ROS node.
+// Facts about a controller in parameter files, before it is loaded. This file needs no ROS node.
 #pragma once
 
 #include <string>

@@ -42,8 +42,7 @@ class Spawner {
       : node_(node),
         options_(options),
         namespace_(options.name_space.empty() ? node->get_namespace() : options.name_space),
-        client_(node,
-                full_manager_name(options.controller_manager, slashed(namespace_)),
+        client_(node, full_manager_name(options.controller_manager, slashed(namespace_)),
                 options.controller_manager_timeout, options.service_call_timeout) {
     namespace_ = slashed(namespace_);
   }
@@ -151,10 +150,14 @@ class Spawner {
     int exit_code = 0;
     // Services can be called until the context is shut down, so the work is done before that.
     const auto context = node_->get_node_base_interface()->get_context();
-    context->add_pre_shutdown_callback([this, &names, &exit_code] {
+    const auto handle = context->add_pre_shutdown_callback([this, &names, &exit_code] {
+      RCLCPP_INFO(node_->get_logger(), "KeyboardInterrupt successfully captured!");
       exit_code = names.empty() || unload(names) ? 0 : 1;
     });
-    rclcpp::spin(node_);
+    // The node stays free of executors: the calls above spin it.
+    while (rclcpp::sleep_for(std::chrono::hours(1))) {
+    }
+    context->remove_pre_shutdown_callback(handle);
     return exit_code;
   }
 

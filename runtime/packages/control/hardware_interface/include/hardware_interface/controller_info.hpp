@@ -1,4 +1,4 @@
-// What the manager knows of a controller before it is made.
+// A controller as its parameters describe it, before it is made.
 #pragma once
 
 #include <optional>

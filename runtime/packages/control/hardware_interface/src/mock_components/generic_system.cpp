@@ -259,8 +259,7 @@ void GenericSystem::follow_mimicked_joints() {
 
 return_type GenericSystem::read(const rclcpp::Time&, const rclcpp::Duration& period) {
   if (command_propagation_disabled_) {
-    RCLCPP_WARN_ONCE(get_logger(),
-                     "Command propagation is disabled - no values will be returned!");
+    RCLCPP_WARN_ONCE(get_logger(), "Command propagation is disabled - no values will be returned!");
     return return_type::OK;
   }
   for (size_t i = 0; i < get_hardware_info().joints.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a plugin gets in on_init.
+// The argument of a plugin's on_init.
 #pragma once
 
 #include "hardware_interface/hardware_info.hpp"

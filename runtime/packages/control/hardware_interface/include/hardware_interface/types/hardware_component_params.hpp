@@ -1,4 +1,4 @@
-// What the framework gives a component.
+// The parameters that the framework gives a component.
 #pragma once
 
 #include <string>

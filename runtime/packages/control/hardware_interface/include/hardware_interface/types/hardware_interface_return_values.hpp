@@ -1,4 +1,4 @@
-// What a cycle of a hardware component ends with.
+// The results of one cycle of a hardware component.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a resource manager is made with.
+// The parameters of a resource manager.
 #pragma once
 
 #include <string>

@@ -1,0 +1,1 @@
+"""Helpers of the package controller_manager for launch files."""

@@ -148,10 +148,9 @@ std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
          .file = place_in_site(configuration_of(process.node))});
   }
   // In the place of Gazebo's own window.
-  if (std::any_of(description.processes.begin(), description.processes.end(),
-                  [](const LaunchProcess& process) {
-                    return is_simulator(process.node.package.value);
-                  }))
+  if (std::any_of(
+          description.processes.begin(), description.processes.end(),
+          [](const LaunchProcess& process) { return is_simulator(process.node.package.value); }))
     add({.panel = "simulation"});
   return panels;
 }

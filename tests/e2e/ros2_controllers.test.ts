@@ -1,5 +1,12 @@
 // Controllers of ros2_controllers on mock hardware, started by spawners of a launch file: a base that drives an arc, an arm that
-// follows a trajectory, arms that are stuck, and commands that are passed on; headless.
+// follows a trajectory, arms that are stuck, a car, a gripper, a motor with a PID, and sensors; headless.
+
+// Compatibility, works: ros2_controllers: joint_state_broadcaster, forward_command_controller and the groups of position_, velocity_ and
+// effort_controllers, diff_drive_controller, joint_trajectory_controller, pid_controller, the broadcasters of IMU, range and force torque
+// sensors, the steering controllers (bicycle, tricycle, Ackermann) and the gripper controllers, with their parameters, topics, actions and texts
+
+// Compatibility, differs: parameters of controllers -> are checked with the texts of generate_parameter_library, whose C++ headers are not
+// installed; filters of broadcasters (`sensor_filter_chain`) are refused when such a controller is configured
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -7,7 +14,7 @@ import { after, before, test } from 'node:test';
 import { played } from '../support/nightly.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 
-const JOINTS = ['left_wheel', 'right_wheel', 'j1', 'j2', 'stuck_on_the_way', 'stuck_at_the_end', 'lamp'];
+const JOINTS = ['left_wheel', 'right_wheel', 'j1', 'j2', 'stuck_on_the_way', 'stuck_at_the_end', 'lamp', 'drive', 'steer', 'finger', 'motor'];
 
 const joint = (name: string): string => `
   <link name="${name}_link"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
@@ -26,16 +33,39 @@ ${state}    </joint>`).join('\n')}
   </ros2_control>`;
 
 const velocityState = '      <state_interface name="velocity"/>\n';
+/** Sensors with values that do not change. */
+const sensor = (name: string, values: Readonly<Record<string, number>>): string => `    <sensor name="${name}">
+${Object.entries(values).map(([one, value]) => `      <state_interface name="${one}"><param name="initial_value">${String(value)}</param></state_interface>`).join('\n')}
+    </sensor>`;
+const imu = {
+  'orientation.x': 0, 'orientation.y': 0, 'orientation.z': 0.6, 'orientation.w': 0.8, 'angular_velocity.x': 0, 'angular_velocity.y': 0,
+  'angular_velocity.z': 0.5, 'linear_acceleration.x': 0, 'linear_acceleration.y': 0, 'linear_acceleration.z': 9.81,
+};
+const wrench = { 'force.x': 2, 'force.y': 0, 'force.z': 0, 'torque.x': 0, 'torque.y': 0, 'torque.z': -1 };
+
 const description = `<?xml version="1.0"?>
 <robot name="bench">
   <link name="base_link"/>${JOINTS.map(joint).join('')}
 ${control('Base', 'velocity', velocityState, ['left_wheel', 'right_wheel'], '<param name="calculate_dynamics">true</param>')}
 ${control('Arm', 'position', '', ['j1', 'j2', 'lamp'])}
 ${control('Stuck', 'position', '', ['stuck_on_the_way', 'stuck_at_the_end'], '<param name="disable_commands">true</param>')}
+${control('Drive', 'velocity', velocityState, ['drive'])}
+${control('Steer', 'position', '', ['steer'])}
+${control('Finger', 'position', velocityState, ['finger'])}
+${control('Motor', 'velocity', velocityState, ['motor'], '<param name="calculate_dynamics">true</param>')}
+  <ros2_control name="Sensors" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+${sensor('imu', imu)}
+${sensor('range', { range: 1.5 })}
+${sensor('wrist', wrench)}
+  </ros2_control>
 </robot>
 `;
 
-const CONTROLLERS = ['joint_state_broadcaster', 'base_controller', 'arm_controller', 'way_controller', 'end_controller', 'lamp_controller'];
+const CONTROLLERS = [
+  'joint_state_broadcaster', 'base_controller', 'arm_controller', 'way_controller', 'end_controller', 'lamp_controller',
+  'car_controller', 'finger_controller', 'motor_controller', 'imu_broadcaster', 'range_broadcaster', 'wrist_broadcaster',
+];
 
 const config = `
 controller_manager:
@@ -47,6 +77,12 @@ controller_manager:
     way_controller: {type: joint_trajectory_controller/JointTrajectoryController}
     end_controller: {type: joint_trajectory_controller/JointTrajectoryController}
     lamp_controller: {type: position_controllers/JointGroupPositionController}
+    car_controller: {type: bicycle_steering_controller/BicycleSteeringController}
+    finger_controller: {type: parallel_gripper_action_controller/GripperActionController}
+    motor_controller: {type: pid_controller/PidController}
+    imu_broadcaster: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}
+    range_broadcaster: {type: range_sensor_broadcaster/RangeSensorBroadcaster}
+    wrist_broadcaster: {type: force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster}
 
 base_controller:
   ros__parameters:
@@ -79,6 +115,33 @@ end_controller:
 lamp_controller:
   ros__parameters:
     joints: [lamp]
+
+car_controller:
+  ros__parameters:
+    traction_joints_names: [drive]
+    steering_joints_names: [steer]
+    wheelbase: 2.0
+    traction_wheel_radius: 0.5
+
+finger_controller:
+  ros__parameters:
+    joint: finger
+
+motor_controller:
+  ros__parameters:
+    dof_names: [motor]
+    command_interface: velocity
+    reference_and_state_interfaces: [position]
+    gains: {motor: {p: 8.0}}
+
+imu_broadcaster:
+  ros__parameters: {sensor_name: imu, frame_id: imu_link}
+
+range_broadcaster:
+  ros__parameters: {sensor_name: range, frame_id: range_link}
+
+wrist_broadcaster:
+  ros__parameters: {sensor_name: wrist, frame_id: wrist_link, offset: {force: {x: 1.0}}, multiplier: {force: {x: 2.0}}}
 `;
 
 const launchFile = `
@@ -106,14 +169,20 @@ const driver = `
 #include <cmath>
 #include <deque>
 #include <map>
+#include <optional>
 
 #include "control_msgs/action/follow_joint_trajectory.hpp"
+#include "control_msgs/action/parallel_gripper_command.hpp"
 #include "control_msgs/msg/joint_trajectory_controller_state.hpp"
+#include "control_msgs/msg/multi_dof_command.hpp"
 #include "geometry_msgs/msg/twist_stamped.hpp"
+#include "geometry_msgs/msg/wrench_stamped.hpp"
 #include "nav_msgs/msg/odometry.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
+#include "sensor_msgs/msg/imu.hpp"
 #include "sensor_msgs/msg/joint_state.hpp"
+#include "sensor_msgs/msg/range.hpp"
 #include "std_msgs/msg/float64_multi_array.hpp"
 #include "tf2_msgs/msg/tf_message.hpp"
 
@@ -229,6 +298,74 @@ void drive() {
   RCLCPP_INFO(node->get_logger(), "stopped at %.4f %.4f %.4f", pose.position.x, pose.position.y, yaw);
 }
 
+template <class MessageT>
+MessageT message_of(const std::string& topic) {
+  std::optional<MessageT> received;
+  const auto subscription = node->create_subscription<MessageT>(topic, 10, [&](const MessageT& message) { received = message; });
+  spin_until([&] { return received.has_value(); });
+  return received.value();
+}
+
+void read_sensors() {
+  const auto imu = message_of<sensor_msgs::msg::Imu>("imu_broadcaster/imu");
+  RCLCPP_INFO(node->get_logger(), "imu %.2f %.2f %.2f", imu.orientation.w, imu.angular_velocity.z, imu.linear_acceleration.z);
+  RCLCPP_INFO(node->get_logger(), "range %.2f", message_of<sensor_msgs::msg::Range>("range_broadcaster/range").range);
+  const auto wrench = message_of<geometry_msgs::msg::WrenchStamped>("wrist_broadcaster/wrench");
+  RCLCPP_INFO(node->get_logger(), "wrench %.2f %.2f", wrench.wrench.force.x, wrench.wrench.torque.z);
+}
+
+void steer() {
+  const auto reference = node->create_publisher<geometry_msgs::msg::TwistStamped>("car_controller/reference", 10);
+  nav_msgs::msg::Odometry odom;
+  const auto subscription = node->create_subscription<nav_msgs::msg::Odometry>(
+      "car_controller/odometry", 10, [&](const nav_msgs::msg::Odometry& message) { odom = message; });
+  geometry_msgs::msg::TwistStamped twist;
+  twist.twist.linear.x = 1.0;
+  twist.twist.angular.z = 0.25;
+  const double start = node->now().seconds();
+  spin_until([&] {
+    twist.header.stamp = node->now();
+    reference->publish(twist);
+    return node->now().seconds() > start + 1.5;
+  });
+  const auto& pose = odom.pose.pose;
+  RCLCPP_INFO(node->get_logger(), "car at %.4f %.4f %.4f", pose.position.x, pose.position.y, 2 * std::atan2(pose.orientation.z, pose.orientation.w));
+  RCLCPP_INFO(node->get_logger(), "car drives %.3f %.3f", odom.twist.twist.linear.x, odom.twist.twist.angular.z);
+}
+
+void grip() {
+  using Grip = control_msgs::action::ParallelGripperCommand;
+  const auto client = rclcpp_action::create_client<Grip>(node, "finger_controller/gripper_cmd");
+  spin_until([&] { return client->action_server_is_ready(); });
+  Grip::Goal goal;
+  goal.command.position = {0.04};
+  bool is_over = false;
+  rclcpp_action::Client<Grip>::SendGoalOptions options;
+  options.result_callback = [&](const rclcpp_action::ClientGoalHandle<Grip>::WrappedResult& result) {
+    RCLCPP_INFO(node->get_logger(), "grip %d %d %.2f", static_cast<int>(result.code), result.result->reached_goal, result.result->state.position[0]);
+    is_over = true;
+  };
+  client->async_send_goal(goal, options);
+  spin_until([&] { return is_over; });
+}
+
+void turn_motor() {
+  const auto reference = node->create_publisher<control_msgs::msg::MultiDOFCommand>("motor_controller/reference", rclcpp::QoS(1).best_effort());
+  control_msgs::msg::MultiDOFCommand command;
+  command.dof_names = {"motor"};
+  command.values = {1.0};
+  spin_until([&] { return reference->get_subscription_count() > 0; });
+  reference->publish(command);
+  spin_until([] { return node->joints["motor"].back().second > 0.99; }, 10s);
+  RCLCPP_INFO(node->get_logger(), "motor at %.2f", node->joints["motor"].back().second);
+}
+
+void set_parameter() {
+  rclcpp::SyncParametersClient parameters(node, "motor_controller");
+  const auto results = parameters.set_parameters({rclcpp::Parameter("gains.motor.antiwindup_strategy", "never")});
+  RCLCPP_INFO(node->get_logger(), "parameter: %s", results.at(0).reason.c_str());
+}
+
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   node = std::make_shared<Driver>();
@@ -261,6 +398,11 @@ int main(int argc, char** argv) {
     RCLCPP_INFO(node->get_logger(), "arm after %.1f s at %.3f %.3f", time, node->at("j1", node->arm_start + time),
                 node->at("j2", node->arm_start + time));
   }
+  read_sensors();
+  steer();
+  grip();
+  turn_motor();
+  set_parameter();
   command.data = {1.0, 2.0};
   node->lamp_->publish(command);
   spin_until([] { return false; }, 500ms);
@@ -328,6 +470,18 @@ for (const link of played('port', 'shared')) {
     near(numbers(output, 'arm after 2.0 s at'), [0.5, 0.5], 0.01, 'at 2 s');
     assert.match(output, /way_controller ended with code 6 error -4 after 0\.\d+ s: Aborted due to path tolerance violation/);
     assert.match(output, /end_controller ended with code 6 error -5 after 2\.[5-7]\d+ s: Aborted due to goal_time_tolerance exceeding by 0\.5\d+ seconds/);
+
+    near(numbers(output, 'imu'), [0.8, 0.5, 9.81], 0, 'imu');
+    near(numbers(output, 'range'), [1.5], 0, 'range');
+    near(numbers(output, 'wrench'), [6, -1], 0, 'wrench: (2 + 1) * 2');
+    // On a circle of radius 4 m.
+    const [carX = NaN, carY = NaN, carYaw = NaN] = numbers(output, 'car at');
+    near([carX, carY], [4 * Math.sin(carYaw), 4 * (1 - Math.cos(carYaw))], 0.02, 'car');
+    near(numbers(output, 'car drives'), [1, 0.25], 0.001, 'car');
+    near(numbers(output, 'grip'), [4, 1, 0.04], 0, 'grip');
+    near(numbers(output, 'motor at'), [1], 0.02, 'motor');
+    assert.ok(output.includes("parameter: Parameter 'gains.motor.antiwindup_strategy' with the value 'never' is not in the set " +
+      "'{back_calculation, conditional_integration, legacy, none}'"), output);
     assert.match(output, /command size \(2\) does not match number of interfaces \(1\)/);
   });
 }

@@ -144,7 +144,7 @@ TEST(Steering, AckermannSteersBothWheelsToOneCentre) {
   const auto [traction, steering] = base.get_commands(1.0, 0.25);
   EXPECT_NEAR(steering.at(0), std::atan(2.0 / 4.5), 1e-12);
   EXPECT_NEAR(steering.at(1), std::atan(2.0 / 3.5), 1e-12);
-  // What the wheels report gives the reference back.
+  // The states of the wheels give the reference back.
   for (int i = 0; i < 100; ++i) {
     base.update_from_velocity(traction[0], traction[1], steering[0], steering[1], kCycle);
   }

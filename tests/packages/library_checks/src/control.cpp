@@ -1,10 +1,10 @@
 // Controllers, and what loops that must not wait read and publish by.
 
-// Compatibility, works: realtime_tools (`RealtimeBuffer`, `RealtimePublisher`, `RealtimeThreadSafeBox`, `RealtimeBox`); control_toolbox
-// (`Pid` with its anti-windup strategies)
+// Compatibility, works: realtime_tools (`RealtimeBuffer`, `RealtimePublisher`, `RealtimeThreadSafeBox`, `RealtimeBox`,
+// `RealtimeServerGoalHandle`); control_toolbox (`Pid` with its anti-windup strategies, `RateLimiter`)
 
 // Compatibility, differs: `realtime_tools::RealtimePublisher` -> publishes in the thread that asks, at once, as that does not wait here; the
-// filters, `PidROS` and the rest of control_toolbox, and clocks, threads and goal handles of realtime_tools, are missing
+// filters, `PidROS` and the rest of control_toolbox, and clocks and threads of realtime_tools, are missing
 
 #include <cmath>
 #include <limits>

@@ -38,27 +38,32 @@ CallbackReturn AckermannSteeringController::configure_odometry() {
   params = ackermann_param_listener_->get_params();
   const auto logger = get_node()->get_logger();
   if (params.front_wheels_radius > 0.0) {
-    RCLCPP_WARN(logger, "DEPRECATED parameter 'front_wheel_radius', set 'traction_wheels_radius' instead");
+    RCLCPP_WARN(logger,
+                "DEPRECATED parameter 'front_wheel_radius', set 'traction_wheels_radius' instead");
     params.traction_wheels_radius = params.front_wheels_radius;
   }
   if (params.rear_wheels_radius > 0.0) {
-    RCLCPP_WARN(logger, "DEPRECATED parameter 'rear_wheel_radius', set 'traction_wheels_radius' instead");
+    RCLCPP_WARN(logger,
+                "DEPRECATED parameter 'rear_wheel_radius', set 'traction_wheels_radius' instead");
     params.traction_wheels_radius = params.rear_wheels_radius;
   }
   if (params.front_wheel_track > 0.0) {
     RCLCPP_WARN(logger,
                 "DEPRECATED parameter 'front_wheel_track', set 'traction_track_width' or "
                 "'steering_track_width' instead");
-    (params_.front_steering ? params.steering_track_width : params.traction_track_width) = params.front_wheel_track;
+    (params_.front_steering ? params.steering_track_width : params.traction_track_width) =
+        params.front_wheel_track;
   }
   if (params.rear_wheel_track > 0.0) {
     RCLCPP_WARN(logger,
                 "DEPRECATED parameter 'rear_wheel_track', set 'traction_track_width' or "
                 "'steering_track_width' instead");
-    (params_.front_steering ? params.traction_track_width : params.steering_track_width) = params.rear_wheel_track;
+    (params_.front_steering ? params.traction_track_width : params.steering_track_width) =
+        params.rear_wheel_track;
   }
   if (params.traction_wheels_radius <= 0.0) {
-    RCLCPP_FATAL(logger, "parameter 'traction_wheels_radius' is not set, cannot configure odometry");
+    RCLCPP_FATAL(logger,
+                 "parameter 'traction_wheels_radius' is not set, cannot configure odometry");
     return CallbackReturn::ERROR;
   }
   if (params.steering_track_width <= 0.0) {

@@ -31,11 +31,13 @@ CallbackReturn BicycleSteeringController::configure_odometry() {
   params = bicycle_param_listener_->get_params();
   const auto logger = get_node()->get_logger();
   if (params.front_wheel_radius > 0.0) {
-    RCLCPP_WARN(logger, "DEPRECATED parameter 'front_wheel_radius', set 'traction_wheel_radius' instead");
+    RCLCPP_WARN(logger,
+                "DEPRECATED parameter 'front_wheel_radius', set 'traction_wheel_radius' instead");
     params.traction_wheel_radius = params.front_wheel_radius;
   }
   if (params.rear_wheel_radius > 0.0) {
-    RCLCPP_WARN(logger, "DEPRECATED parameter 'rear_wheel_radius', set 'traction_wheel_radius' instead");
+    RCLCPP_WARN(logger,
+                "DEPRECATED parameter 'rear_wheel_radius', set 'traction_wheel_radius' instead");
     params.traction_wheel_radius = params.rear_wheel_radius;
   }
   if (params.traction_wheel_radius <= 0.0) {

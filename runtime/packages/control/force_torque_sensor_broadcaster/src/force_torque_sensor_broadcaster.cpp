@@ -51,9 +51,12 @@ CallbackReturn ForceTorqueSensorBroadcaster::on_init() {
   return CallbackReturn::SUCCESS;
 }
 
-bool ForceTorqueSensorBroadcaster::has_filters() const {
-  const auto found = get_node()->list_parameters({"sensor_filter_chain"}, 0);
-  return !found.names.empty();
+bool ForceTorqueSensorBroadcaster::has_filters() {
+  // They are not declared: the chain would read what the file gives.
+  const auto& given = get_node()->get_node_parameters_interface()->get_parameter_overrides();
+  return std::any_of(given.begin(), given.end(), [](const auto& parameter) {
+    return parameter.first.rfind("sensor_filter_chain", 0) == 0;
+  });
 }
 
 bool ForceTorqueSensorBroadcaster::choose_sensor() {

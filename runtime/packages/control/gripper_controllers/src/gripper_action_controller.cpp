@@ -38,7 +38,9 @@ using controller_interface::interface_configuration_type;
 using controller_interface::InterfaceConfiguration;
 using controller_interface::return_type;
 
-bool GripperActionController::is_by_effort() const { return std::string(interface_) == "effort"; }
+bool GripperActionController::is_by_effort() const {
+  return std::string(interface_) == "effort";
+}
 
 CallbackReturn GripperActionController::on_init() {
   RCLCPP_WARN(get_node()->get_logger(),
@@ -147,15 +149,15 @@ rclcpp_action::CancelResponse GripperActionController::on_cancel(
 
 void GripperActionController::on_accepted(const std::shared_ptr<GoalHandle>& handle) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (goal_) {
-    goal_->setAborted(std::make_shared<GripperCommandAction::Result>());
-    goal_->runNonRealtime();
-  }
+  if (goal_) goal_->setAborted(std::make_shared<GripperCommandAction::Result>());
+  // Also for one that has just ended: its timer goes.
+  if (watched_goal_) watched_goal_->runNonRealtime();
   wanted_position_ = handle->get_goal()->command.position;
   max_effort_ = handle->get_goal()->command.max_effort;
   grip_.start(get_node()->now().nanoseconds());
   goal_ = std::make_shared<RealtimeGoal>(handle);
   goal_->execute();
+  watched_goal_ = goal_;
   const auto period = std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(1.0 / params_.action_monitor_rate));
   goal_timer_ = get_node()->create_wall_timer(period, [this, goal = goal_] {

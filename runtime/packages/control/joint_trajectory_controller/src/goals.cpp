@@ -97,8 +97,9 @@ void JointTrajectoryController::on_accepted(const std::shared_ptr<GoalHandle>& h
     result->error_code = Action::Result::INVALID_GOAL;
     result->error_string = "Current goal preempted by new incoming action.";
     goal_->setAborted(result);
-    goal_->runNonRealtime();
   }
+  // Also for one that has just ended: its timer goes.
+  if (watched_goal_) watched_goal_->runNonRealtime();
   const Action::Goal& goal = *handle->get_goal();
   new_request_ = std::make_shared<PathRequest>(to_request(goal.trajectory));
   is_holding_ = false;
@@ -123,6 +124,7 @@ void JointTrajectoryController::on_accepted(const std::shared_ptr<GoalHandle>& h
 }
 
 void JointTrajectoryController::watch_goal(const std::shared_ptr<RealtimeGoal>& goal) {
+  watched_goal_ = goal;
   const auto period = std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(1.0 / params_.action_monitor_rate));
   goal_timer_ = get_node()->create_wall_timer(period, [this, goal] {

@@ -145,8 +145,7 @@ void GripperActionController::create_action() {
           return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;
         }
         RCLCPP_ERROR(
-            logger,
-            "Received action goal with wrong number of position values, expects 1, got %zu",
+            logger, "Received action goal with wrong number of position values, expects 1, got %zu",
             values);
         return rclcpp_action::GoalResponse::REJECT;
       },
@@ -181,10 +180,9 @@ rclcpp_action::CancelResponse GripperActionController::on_cancel(
 
 void GripperActionController::on_accepted(const std::shared_ptr<GoalHandle>& handle) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (goal_) {
-    goal_->setAborted(std::make_shared<GripperCommandAction::Result>());
-    goal_->runNonRealtime();
-  }
+  if (goal_) goal_->setAborted(std::make_shared<GripperCommandAction::Result>());
+  // Also for one that has just ended: its timer goes.
+  if (watched_goal_) watched_goal_->runNonRealtime();
   const auto& command = handle->get_goal()->command;
   use_limits_of_parameters();
   wanted_position_ = command.position[0];
@@ -193,6 +191,7 @@ void GripperActionController::on_accepted(const std::shared_ptr<GoalHandle>& han
   grip_.start(get_node()->now().nanoseconds());
   goal_ = std::make_shared<RealtimeGoal>(handle);
   goal_->execute();
+  watched_goal_ = goal_;
   const auto period = std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(1.0 / params_.action_monitor_rate));
   goal_timer_ = get_node()->create_wall_timer(period, [this, goal = goal_] {

@@ -77,9 +77,8 @@ bool SteeringControllersLibrary::update_odometry(const rclcpp::Duration& period)
       return has_positions ? odometry_.update_from_position(states[0], states[1], dt)
                            : odometry_.update_from_velocity(states[0], states[1], dt);
     case steering_kinematics::TRICYCLE_CONFIG:
-      return has_positions
-                 ? odometry_.update_from_position(states[0], states[1], states[2], dt)
-                 : odometry_.update_from_velocity(states[0], states[1], states[2], dt);
+      return has_positions ? odometry_.update_from_position(states[0], states[1], states[2], dt)
+                           : odometry_.update_from_velocity(states[0], states[1], states[2], dt);
     default:
       return has_positions
                  ? odometry_.update_from_position(states[0], states[1], states[2], states[3], dt)
@@ -91,9 +90,8 @@ void SteeringControllersLibrary::write_commands(double linear, double angular) {
   const size_t wheels = params_.traction_joints_names.size();
   std::vector<double> commands(wheels, 0.0);  // without a reference the wheels stop
   if (!std::isnan(linear) && !std::isnan(angular)) {
-    const auto [traction, steering] =
-        odometry_.get_commands(linear, angular, params_.open_loop,
-                               params_.reduce_wheel_speed_until_steering_reached);
+    const auto [traction, steering] = odometry_.get_commands(
+        linear, angular, params_.open_loop, params_.reduce_wheel_speed_until_steering_reached);
     commands = traction;
     commands.insert(commands.end(), steering.begin(), steering.end());
   }
@@ -136,8 +134,8 @@ void SteeringControllersLibrary::publish_status(const rclcpp::Time& time) {
   status.linear_velocity_command.clear();
   status.steering_angle_command.clear();
   const size_t wheels = params_.traction_joints_names.size();
-  auto& driven = params_.position_feedback ? status.traction_wheels_position
-                                           : status.traction_wheels_velocity;
+  auto& driven =
+      params_.position_feedback ? status.traction_wheels_position : status.traction_wheels_velocity;
   for (size_t i = 0; i < command_interfaces_.size(); ++i) {
     const auto state = state_interfaces_[i].get_optional();
     const auto command = command_interfaces_[i].get_optional();

@@ -8,12 +8,14 @@ namespace steering_kinematics {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kShortest = 1e-4;             ///< [s]: below it speeds are not estimated
-constexpr double kAlmostZero = 1e-6;           ///< [rad]
-constexpr double kReducedFrom = kPi / 6.0;     ///< [rad] between wanted and measured steering
-constexpr double kReducedMost = 1.5608;        ///< [rad], just below a right angle
+constexpr double kShortest = 1e-4;          ///< [s]: below it speeds are not estimated
+constexpr double kAlmostZero = 1e-6;        ///< [rad]
+constexpr double kReducedFrom = kPi / 6.0;  ///< [rad] between wanted and measured steering
+constexpr double kReducedMost = 1.5608;     ///< [rad], just below a right angle
 
-bool is_close_to_zero(double value) { return std::abs(value) < kAlmostZero; }
+bool is_close_to_zero(double value) {
+  return std::abs(value) < kAlmostZero;
+}
 
 }  // namespace
 

@@ -119,9 +119,8 @@ void SteeringControllersLibrary::create_topics() {
         on_reference(message);
       });
   const rclcpp::SystemDefaultsQoS qos;
-  odometry_publisher_ =
-      std::make_unique<realtime_tools::RealtimePublisher<ControllerStateMsgOdom>>(
-          node->create_publisher<ControllerStateMsgOdom>("~/odometry", qos));
+  odometry_publisher_ = std::make_unique<realtime_tools::RealtimePublisher<ControllerStateMsgOdom>>(
+      node->create_publisher<ControllerStateMsgOdom>("~/odometry", qos));
   transform_publisher_ = std::make_unique<realtime_tools::RealtimePublisher<ControllerStateMsgTf>>(
       node->create_publisher<ControllerStateMsgTf>("~/tf_odometry", qos));
   status_publisher_ =
@@ -147,8 +146,7 @@ void SteeringControllersLibrary::on_reference(
   const auto logger = get_node()->get_logger();
   auto& stamp = message->header.stamp;
   if (stamp.sec == 0 && stamp.nanosec == 0u) {
-    RCLCPP_WARN(logger,
-                "Timestamp in header is missing, using current time as command timestamp.");
+    RCLCPP_WARN(logger, "Timestamp in header is missing, using current time as command timestamp.");
     stamp = get_node()->now();
   }
   const rclcpp::Duration age = get_node()->now() - stamp;
@@ -202,7 +200,9 @@ SteeringControllersLibrary::on_export_reference_interfaces_list() {
   return references;
 }
 
-bool SteeringControllersLibrary::on_set_chained_mode(bool) { return true; }
+bool SteeringControllersLibrary::on_set_chained_mode(bool) {
+  return true;
+}
 
 CallbackReturn SteeringControllersLibrary::on_activate(const rclcpp_lifecycle::State&) {
   forget_reference();

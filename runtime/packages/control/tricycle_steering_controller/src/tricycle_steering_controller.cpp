@@ -34,11 +34,13 @@ CallbackReturn TricycleSteeringController::configure_odometry() {
   params = tricycle_param_listener_->get_params();
   const auto logger = get_node()->get_logger();
   if (params.front_wheels_radius > 0.0) {
-    RCLCPP_WARN(logger, "DEPRECATED parameter 'front_wheel_radius', set 'traction_wheels_radius' instead");
+    RCLCPP_WARN(logger,
+                "DEPRECATED parameter 'front_wheel_radius', set 'traction_wheels_radius' instead");
     params.traction_wheels_radius = params.front_wheels_radius;
   }
   if (params.rear_wheels_radius > 0.0) {
-    RCLCPP_WARN(logger, "DEPRECATED parameter 'rear_wheel_radius', set 'traction_wheels_radius' instead");
+    RCLCPP_WARN(logger,
+                "DEPRECATED parameter 'rear_wheel_radius', set 'traction_wheels_radius' instead");
     params.traction_wheels_radius = params.rear_wheels_radius;
   }
   if (params.wheel_track > 0.0) {
@@ -50,7 +52,8 @@ CallbackReturn TricycleSteeringController::configure_odometry() {
     return CallbackReturn::ERROR;
   }
   if (params.traction_wheels_radius <= 0.0) {
-    RCLCPP_FATAL(logger, "parameter 'traction_wheels_radius' is not set, cannot configure odometry");
+    RCLCPP_FATAL(logger,
+                 "parameter 'traction_wheels_radius' is not set, cannot configure odometry");
     return CallbackReturn::ERROR;
   }
   odometry_.set_wheel_params(params.traction_wheels_radius, params.wheelbase,

@@ -20,7 +20,8 @@ struct Params {
   double rear_wheels_radius = 0.0;   ///< deprecated
 };
 
-class AckermannSteeringController : public steering_controllers_library::SteeringControllersLibrary {
+class AckermannSteeringController
+    : public steering_controllers_library::SteeringControllersLibrary {
  public:
   controller_interface::CallbackReturn configure_odometry() override;
   void initialize_implementation_parameter_listener() override;

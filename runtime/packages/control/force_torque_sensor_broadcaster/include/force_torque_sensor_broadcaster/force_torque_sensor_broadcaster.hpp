@@ -56,7 +56,7 @@ class ForceTorqueSensorBroadcaster : public controller_interface::ChainableContr
   std::unique_ptr<realtime_tools::RealtimePublisher<Message>> realtime_publisher_;
 
  private:
-  bool has_filters() const;
+  bool has_filters();
   bool choose_sensor();
 };
 

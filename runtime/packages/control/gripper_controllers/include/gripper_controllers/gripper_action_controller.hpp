@@ -74,6 +74,7 @@ class GripperActionController : public controller_interface::ControllerInterface
   control_toolbox::Pid pid_;
   gripper_controllers::Grip grip_;
   std::shared_ptr<RealtimeGoal> goal_;
+  std::shared_ptr<RealtimeGoal> watched_goal_;  ///< the last one, until its client knows the end
   rclcpp_action::Server<GripperCommandAction>::SharedPtr action_server_;
   rclcpp::TimerBase::SharedPtr goal_timer_;
 };

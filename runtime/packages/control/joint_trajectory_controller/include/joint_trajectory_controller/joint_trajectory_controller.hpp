@@ -154,6 +154,7 @@ class JointTrajectoryController : public controller_interface::ControllerInterfa
   std::optional<Path> path_;                  ///< while active
   std::shared_ptr<PathRequest> new_request_;  ///< the one to run from the next cycle on
   std::shared_ptr<RealtimeGoal> goal_;
+  std::shared_ptr<RealtimeGoal> watched_goal_;  ///< the last one, until its client knows the end
   bool is_holding_ = false;
   SegmentTolerances default_tolerances_;
   SegmentTolerances active_tolerances_;

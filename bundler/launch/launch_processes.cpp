@@ -87,6 +87,13 @@ std::optional<NodeOutput> output_of(const std::string& text) {
   return std::nullopt;
 }
 
+/// Before the packages are there, nobody knows whether one of them brings ros2_control.
+std::string simulator_of(const LaunchWorld& world) {
+  const std::string controlled(kControlledSimulatorPackage);
+  const bool is_known = !world.is_later && world.prefix_of(controlled);
+  return is_known ? controlled : std::string(kSimulatorPackage);
+}
+
 }  // namespace
 
 std::optional<std::vector<std::string>> LaunchEvaluator::command_line(const LaunchEntity& entity,
@@ -471,9 +478,7 @@ void LaunchEvaluator::executable(const LaunchEntity& entity) {
                         std::string(kSimulatorPackage));
   if (simulator && simulator->program.empty()) return pass_over(true);
   if (simulator) {
-    const std::string controlled(kControlledSimulatorPackage);
-    process.node.package = {
-        world_.prefix_of(controlled) ? controlled : std::string(kSimulatorPackage), entity.span};
+    process.node.package = {simulator_of(world_), entity.span};
     process.node.executable = {std::move(simulator->program), entity.span};
     process.node.arguments = std::move(simulator->arguments);
   } else if (auto program = node_program(*words, world_)) {

@@ -5,6 +5,7 @@
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { benchBusy } from './busy.ts';
+import { benchControl } from './control.ts';
 import { benchCrowd } from './crowd.ts';
 import { benchFetch } from './fetch.ts';
 import { benchLaunch } from './launch.ts';
@@ -40,6 +41,7 @@ export interface BenchContext {
 const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> | void>> = {
   busy: benchBusy,
   bytes: benchBytes,
+  control: benchControl,
   crowd: benchCrowd,
   fetch: benchFetch,
   launch: benchLaunch,

@@ -60,7 +60,7 @@ class GazeboLaunchFiles(unittest.TestCase):
                              (['world_sdf_file:=a.sdf', f'world_sdf_string:={TEXT}'], ['a.sdf'])):
             found = self.processes(file, *given)
             self.assertEqual([one['arguments'] for one in found],
-                             [['-r', '-s', '-v', '4', '--initial-sim-time', '0.0', *world]])
+                             [['-r', '-s', '-v', '4', '--simulation-interfaces', '--initial-sim-time', '0.0', *world]])
         self.assertEqual(self.processes(file), [])
 
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "spawner/arguments.hpp"
+#include "spawner/param_files.hpp"
 #include "switch_plan.hpp"
 
 namespace {
@@ -170,6 +171,34 @@ TEST(control_spawner, mistakes_end_with_code_2) {
       EXPECT_NE(error.text.find("spawner: error: "), std::string::npos) << error.text;
     }
   }
+}
+
+TEST(SpawnerParameters, OfLaunchFilesGoToTheirController) {
+  const Names arguments = {"spawner",
+                           "wheels",
+                           "--ros-args",
+                           "-p",
+                           "prefix:='a'",
+                           "-p",
+                           "/wheels:type:='pkg/Wheels'",
+                           "-p",
+                           "/arm:type:='pkg/Arm'",
+                           "-p",
+                           "/wheels:names:=['l', 'r']",
+                           "-p",
+                           "/**:rate:=5",
+                           "-p",
+                           "/wheels:fallback_controllers:=['brake']"};
+  const ControllerArgumentFacts facts = read_param_arguments("wheels", "/", arguments);
+  EXPECT_EQ(facts.type, "pkg/Wheels");
+  EXPECT_EQ(facts.fallbacks, Names{"brake"});
+  EXPECT_EQ(facts.ros_args, (Names{"--ros-args", "-p", "/wheels:type:='pkg/Wheels'", "-p",
+                                   "/wheels:names:=['l', 'r']", "-p", "/**:rate:=5", "-p",
+                                   "/wheels:fallback_controllers:=['brake']"}));
+  EXPECT_TRUE(read_param_arguments("wheels", "/left", {"-p", "/wheels:type:='a/B'"}).type.empty());
+  EXPECT_EQ(read_param_arguments("wheels", "/left", {"-p", "/left/wheels:type:='a/B'"}).type,
+            "a/B");
+  EXPECT_TRUE(read_param_arguments("wheels", "/", {"-p", "type:='a/B'"}).ros_args.empty());
 }
 
 }  // namespace

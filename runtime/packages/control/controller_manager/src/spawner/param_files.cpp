@@ -1,4 +1,4 @@
-// Facts about a controller in parameter files.
+// See param_files.hpp.
 #include "param_files.hpp"
 
 #include <algorithm>
@@ -83,6 +83,41 @@ ControllerFileFacts read_param_files(const std::string& controller, const std::s
     if (!sections.empty()) {
       facts.files.push_back(file);
     }
+  }
+  return facts;
+}
+
+ControllerArgumentFacts read_param_arguments(const std::string& controller,
+                                             const std::string& name_space,
+                                             const std::vector<std::string>& arguments) {
+  const std::string full = (name_space == "/" ? "" : name_space) + "/" + controller;
+  const std::vector<std::string> nodes = {full, "/**/" + controller, "/**" + full, "/**"};
+  ControllerArgumentFacts facts;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (arguments[i - 1] != "-p" && arguments[i - 1] != "--param") {
+      continue;
+    }
+    const std::string& rule = arguments[i];
+    const std::size_t assigned = rule.find(":=");
+    const std::size_t colon = rule.find(':');
+    if (assigned == std::string::npos || colon == assigned ||
+        std::find(nodes.begin(), nodes.end(), rule.substr(0, colon)) == nodes.end()) {
+      continue;  // of the spawner itself, or of another controller
+    }
+    const std::string name = rule.substr(colon + 1, assigned - colon - 1);
+    const YamlNode value = ros2wasm::parse_yaml(rule.substr(assigned + 2));
+    if (name == "type") {
+      facts.type = value.text;
+    } else if (name == "fallback_controllers") {
+      facts.fallbacks.clear();
+      for (const YamlNode& item : value.items) {
+        facts.fallbacks.push_back(item.text);
+      }
+    }
+    if (facts.ros_args.empty()) {
+      facts.ros_args.emplace_back("--ros-args");
+    }
+    facts.ros_args.insert(facts.ros_args.end(), {"-p", rule});
   }
   return facts;
 }

@@ -18,4 +18,16 @@ struct ControllerFileFacts {
 ControllerFileFacts read_param_files(const std::string& controller, const std::string& name_space,
                                      const std::vector<std::string>& files);
 
+/// The same in the spawner's own ROS arguments: a site gives the parameters of a launch file one by
+/// one, `-p /wheels:type:='a/B'`, and not in a file, which another program could not open.
+struct ControllerArgumentFacts {
+  std::string type;
+  std::vector<std::string> fallbacks;
+  std::vector<std::string> ros_args;  ///< for the node of the controller; empty: there are none
+};
+
+ControllerArgumentFacts read_param_arguments(const std::string& controller,
+                                             const std::string& name_space,
+                                             const std::vector<std::string>& arguments);
+
 }  // namespace controller_manager

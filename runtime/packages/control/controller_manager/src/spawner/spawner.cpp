@@ -38,9 +38,12 @@ bool files_exist(const std::vector<ControllerOptions>& controllers) {
 
 class Spawner {
  public:
-  Spawner(rclcpp::Node::SharedPtr node, const SpawnerOptions& options)
+  /// `arguments` are those of the program.
+  Spawner(rclcpp::Node::SharedPtr node, const SpawnerOptions& options,
+          const std::vector<std::string>& arguments)
       : node_(node),
         options_(options),
+        arguments_(arguments),
         namespace_(options.name_space.empty() ? node->get_namespace() : options.name_space),
         client_(node, full_manager_name(options.controller_manager, slashed(namespace_)),
                 options.controller_manager_timeout, options.service_call_timeout) {
@@ -81,12 +84,16 @@ class Spawner {
       RCLCPP_WARN(node_->get_logger(), "Controller already loaded, skipping load_controller");
       return true;
     }
-    if (!controller.ros_args.empty() &&
-        !client_.set_controller_parameter(controller.name, "node_options_args",
-                                          rclcpp::ParameterValue(controller.ros_args))) {
+    const ControllerArgumentFacts own =
+        read_param_arguments(controller.name, namespace_, arguments_);
+    std::vector<std::string> ros_args = controller.ros_args;
+    ros_args.insert(ros_args.end(), own.ros_args.begin(), own.ros_args.end());
+    if (!ros_args.empty() && !client_.set_controller_parameter(controller.name, "node_options_args",
+                                                               rclcpp::ParameterValue(ros_args))) {
       return false;
     }
-    if (!controller.param_files.empty() && !set_facts(controller)) {
+    if (!set_type(controller, own.type, own.fallbacks) ||
+        (!controller.param_files.empty() && !set_facts(controller))) {
       return false;
     }
     if (!client_.load(controller.name)) {
@@ -110,12 +117,16 @@ class Spawner {
     }
     client_.set_controller_parameter(controller.name, "params_file",
                                      rclcpp::ParameterValue(facts.files));
-    return (facts.type.empty() ||
-            client_.set_controller_parameter(controller.name, "type",
-                                             rclcpp::ParameterValue(facts.type))) &&
-           (facts.fallbacks.empty() ||
+    return set_type(controller, facts.type, facts.fallbacks);
+  }
+
+  bool set_type(const ControllerOptions& controller, const std::string& type,
+                const std::vector<std::string>& fallbacks) {
+    return (type.empty() || client_.set_controller_parameter(controller.name, "type",
+                                                             rclcpp::ParameterValue(type))) &&
+           (fallbacks.empty() ||
             client_.set_controller_parameter(controller.name, "fallback_controllers",
-                                             rclcpp::ParameterValue(facts.fallbacks)));
+                                             rclcpp::ParameterValue(fallbacks)));
   }
 
   bool start(const ControllerOptions& controller, std::vector<std::string>& group) {
@@ -186,11 +197,13 @@ class Spawner {
 
   rclcpp::Node::SharedPtr node_;
   const SpawnerOptions& options_;
+  const std::vector<std::string>& arguments_;
   std::string namespace_;
   ManagerClient client_;
 };
 
 int run(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv, argv + argc);
   const std::vector<std::string> rest = rclcpp::init_and_remove_ros_arguments(argc, argv);
   SpawnerOptions options = read_spawner_arguments({rest.begin() + 1, rest.end()});
   for (ControllerOptions& controller : options.controllers) {
@@ -203,7 +216,7 @@ int run(int argc, char** argv) {
   }
   const auto node = std::make_shared<rclcpp::Node>("spawner_" + options.controllers.front().name);
   try {
-    return Spawner(node, options).run();
+    return Spawner(node, options, arguments).run();
   } catch (const ServiceNotFound& error) {
     RCLCPP_FATAL(node->get_logger(), "%s", error.what());
   } catch (const Interrupted&) {

@@ -1,0 +1,1 @@
+include("${ros2_control_cmake_DIR}/ros2_control.cmake")

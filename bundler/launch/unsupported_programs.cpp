@@ -59,7 +59,6 @@ constexpr StandIn kStandIns[] = {
     {"sick_scan*", kDevice},
     {"slam_toolbox", kNavigation},
     {"sllidar_ros2", kDevice},
-    {"teleop_twist_joy", kJoystick, "teleop"},
     {"urg_node", kDevice},
     {"usb_cam", kDevice},
     {"v4l2_camera", kDevice},

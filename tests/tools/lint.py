@@ -79,7 +79,8 @@ def checks() -> dict[str, object]:
     # Users' packages need no hints, nor do programs that are written as users write them. Launch files find modules
     # whose names others have too.
     unhinted = ("tests/packages/", "examples/", "templates/workspaces/", "runtime/packages/interfaces/",
-                "runtime/packages/tools/demo_nodes_", "runtime/packages/tools/urdf_launch/", LAUNCH_MODULES)
+                "runtime/packages/tools/demo_nodes_", "runtime/packages/tools/teleop_twist_joy/",
+                "runtime/packages/tools/twist_mux/", "runtime/packages/tools/urdf_launch/", LAUNCH_MODULES)
     hinted = [n for n in python if not n.startswith(unhinted) and not n.endswith(".launch.py")]
     shell = ["dev", ".ci/run", *tracked(".sh")]
     return {

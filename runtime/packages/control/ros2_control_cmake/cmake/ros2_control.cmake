@@ -1,3 +1,4 @@
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 # C++17 and warnings. Upstream makes errors of some warnings; here they stay warnings, as the compiler of the site warns of
 # other things than GCC does, and `long` and `size_t` have 32 bits.
 macro(set_compiler_options)

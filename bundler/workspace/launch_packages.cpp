@@ -186,10 +186,11 @@ std::vector<Spanned<std::string>> description_packages(std::string_view text,
       std::to_array<Library>({{"libgazebo_ros2_control", "gazebo_ros2_control"},
                               {"gz_ros2_control-system", "gz_ros2_control"},
                               {"ign_ros2_control-system", "ign_ros2_control"}});
+  const std::string code = without_comments(std::string(text));
   std::vector<Spanned<std::string>> found;
   for (const Library& library : kLibraries) {
-    const std::size_t at = text.find(library.name);
-    if (at == std::string_view::npos) continue;
+    const std::size_t at = code.find(library.name);
+    if (at == std::string::npos) continue;
     found.push_back({.value = std::string(library.package),
                      .span = SourceText(std::string(text), file).span(at, library.name.size())});
   }

@@ -145,6 +145,13 @@ def main():
                           for name in ('one', 'one')])
     node.tell('reset', node.ask(ResetSimulation, 'reset_simulation', ResetSimulation.Request(scope=4)).result.result,
               node.entities()[1], round(node.state('crate').state.pose.position.x, 3))
+    endless = node.links['step_simulation'].call_async(StepSimulation.Request(steps=2**62))
+    before = node.time()
+    while node.time() < before + 0.05:
+        pass
+    stopped = node.turn(0)
+    rclpy.spin_until_future_complete(node, endless)
+    node.tell('endless', stopped, node.time(), endless.result().result.result, node.turn(1), node.turn(2))
     node.tell('stop', node.turn(0), node.now(), node.time(), round(node.state('crate').state.pose.position.x, 3), node.turn(2))
     node.tell('again', node.turn(1), node.now())
     node.tell('not paused', node.ask(StepSimulation, 'step_simulation').result.result, node.steps(1)[0])
@@ -191,6 +198,7 @@ test('each service and the action of simulation_interfaces does what it says', w
     "states ['floor', 'wall', 'crate', 'ball', 'ball_0', 'one'] 6",
     'delete 1 2',
     "reset 1 ['floor', 'wall', 'crate'] 5.0",
+    'endless 1 0.0 4 1 1',
     'stop 1 0 0.0 1.0 103',
     'again 1 1',
     'not paused 4 4',

@@ -112,7 +112,7 @@ void write_python(JsonWriter& json, const Manifest& manifest) {
       !manifest.python_lock)
     return;
   json.key("python").begin_object();
-  write_python(json, manifest);
+  if (!manifest.wheels.empty()) write_wheels(json, manifest.wheels);
   if (!manifest.python_packages.empty()) texts(json, "packages", manifest.python_packages);
   if (manifest.python_index) json.field("index", with_masked_secrets(manifest.python_index->value));
   if (manifest.python_lock) json.field("lock", manifest.python_lock->value);
@@ -189,7 +189,7 @@ std::string manifest_json(const Manifest& manifest) {
   for (const auto& spec : manifest.dependencies) json.string(with_masked_secrets(spec.value));
   json.end_array();
   texts(json, "packages", manifest.packages);
-  if (!manifest.wheels.empty()) write_wheels(json, manifest.wheels);
+  write_python(json, manifest);
   json.key("launch");
   if (manifest.launch_file &&
       !(manifest.launch_arguments.empty() && manifest.launch_variables.empty())) {

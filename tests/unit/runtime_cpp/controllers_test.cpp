@@ -74,6 +74,21 @@ TEST(DiffDrive, SpeedsOfWheelsDriveStraight) {
   EXPECT_EQ(odometry.getX(), 0.0);
 }
 
+TEST(DiffDrive, TimeThatIsSetBackIsNoWay) {
+  Odometry odometry;
+  odometry.setWheelParams(0.4, 0.05, 0.05);
+  odometry.init(0);
+  for (int i = 1; i <= 100; ++i)
+    odometry.update(10.0 * kCycle * i, 10.0 * kCycle * i, i * kCycleNs);
+  EXPECT_NEAR(odometry.getX(), 0.5, 1e-9);
+  EXPECT_FALSE(odometry.update(0.0, 0.0, kCycleNs)) << "the world was reset";
+  EXPECT_TRUE(odometry.update(10.0 * kCycle, 10.0 * kCycle, 2 * kCycleNs));
+  EXPECT_NEAR(odometry.getX(), 0.5 + 0.5 * kCycle, 1e-9);
+  odometry.updateOpenLoop(0.5, 0.0, kCycleNs);
+  odometry.updateOpenLoop(0.5, 0.0, 2 * kCycleNs);
+  EXPECT_NEAR(odometry.getX(), 0.5 + kCycle, 1e-9);
+}
+
 TEST(SpeedLimiter, LimitsVelocityAndAcceleration) {
   SpeedLimiter limiter(kNan, 1.0, kNan, 2.0, -4.0, kNan, kNan, kNan);
   double v = 3.0;

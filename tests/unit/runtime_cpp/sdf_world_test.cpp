@@ -251,6 +251,13 @@ TEST(SdfWorld, AModelOfFuelThatIsMissingIsNamedWithItsArchive) {
             "CMakeLists.txt installs; the address may stay as it is\n");
 }
 
+TEST(SdfWorld, AnArchiveOfFuelCanBePastedIntoAShell) {
+  const auto model = fuel_model("https://fuel.gazebosim.org/1.0/O&P/models/$(rm%20a);`b`'%2B");
+  ASSERT_TRUE(model);
+  EXPECT_EQ(fuel_archive(*model),
+            "https://fuel.gazebosim.org/1.0/O%26P/models/%24%28rm%20a%29%3B%60b%60%27%2B.zip");
+}
+
 TEST(SdfWorld, AddressesOfFuelAreReadWithCare) {
   const auto file =
       fuel_model("https://fuel.ignitionrobotics.org/1.0/O/models/A%20B/tip/files/m/x.dae");

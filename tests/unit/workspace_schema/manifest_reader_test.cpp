@@ -135,6 +135,20 @@ TEST(ManifestReader, VariablesOfTheLaunchFileAreTextsAsWritten) {
   }
 }
 
+TEST(ManifestReader, PythonIsWrittenWhole) {
+  const std::string json = manifest_json(manifest_of(example("valid/python_libraries.yaml")));
+  EXPECT_NE(
+      json.find(
+          R"("python":{"wheels":[{"file":"wheels/gear_box-2.0-cp312-cp312-pyodide_2024_0_wasm32.whl"},)"),
+      std::string::npos)
+      << json;
+  EXPECT_NE(json.find(R"("packages":["scipy","pandas>=2","scikit-learn"],)"
+                      R"("index":"https://mirror.example.org/pyodide/v0.27.8/full/",)"
+                      R"("lock":"libraries/pyodide-lock.json"})"),
+            std::string::npos)
+      << json;
+}
+
 TEST(ManifestReader, AllStylesOfText) {
   const Manifest manifest = manifest_of(example("valid/texts_in_all_styles.yaml"));
   EXPECT_EQ(manifest.name.value, "2024");

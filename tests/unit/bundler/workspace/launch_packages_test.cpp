@@ -99,6 +99,8 @@ TEST(DescriptionPackages, AreThoseOfThePluginsThatAreLoaded) {
   EXPECT_EQ(found[1].value, "gazebo_ros2_control");
   EXPECT_TRUE(
       description_packages("<plugin filename='libgazebo_ros_diff_drive.so'/>", "a").empty());
+  EXPECT_TRUE(
+      description_packages("<!-- <plugin filename='libgazebo_ros2_control.so'/> -->", "a").empty());
   EXPECT_TRUE(is_description_name("robot.urdf.xacro"));
   EXPECT_FALSE(is_description_name("robot.launch.py"));
 }

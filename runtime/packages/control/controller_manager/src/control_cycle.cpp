@@ -76,7 +76,9 @@ void ControllerManager::stop_users_of(const std::vector<std::string>& hardware, 
 bool ControllerManager::is_its_turn(const ControllerSpec& spec, const rclcpp::Time& time,
                                     rclcpp::Duration& period) const {
   const unsigned int rate = spec.c->get_update_rate();
-  const bool is_first = spec.last_update_cycle_time->get_clock_type() == RCL_CLOCK_UNINITIALIZED;
+  // After simulated time was set back an update counts as the first: the way back is no period.
+  const bool is_first = spec.last_update_cycle_time->get_clock_type() == RCL_CLOCK_UNINITIALIZED ||
+                        time < *spec.last_update_cycle_time;
   if (rate == 0 || rate >= update_rate_) {
     period = is_first ? period : time - *spec.last_update_cycle_time;
     return true;
@@ -89,9 +91,13 @@ bool ControllerManager::is_its_turn(const ControllerSpec& spec, const rclcpp::Ti
 }
 
 ControllerManager::ReturnType ControllerManager::update_one(ControllerSpec& spec,
+                                                            const rclcpp::Time& time,
                                                             const rclcpp::Duration& period) {
+  // Simulated time may move on while this program does not look at /clock: a simulator makes many
+  // steps in a row, and each has its own time.
+  const rclcpp::Time stamp = use_sim_time_ && time.get_clock_type() == RCL_ROS_TIME ? time : now();
   try {
-    return spec.c->trigger_update(now(), period).result;
+    return spec.c->trigger_update(stamp, period).result;
   } catch (const std::exception& error) {
     RCLCPP_ERROR(get_logger(), "Caught exception of type : %s while updating controller '%s': %s",
                  typeid(error).name(), spec.info.name.c_str(), error.what());
@@ -114,7 +120,7 @@ ControllerManager::ReturnType ControllerManager::update(const rclcpp::Time& time
         !is_its_turn(spec, time, since)) {
       continue;
     }
-    const ReturnType one = update_one(spec, since);
+    const ReturnType one = update_one(spec, time, since);
     *spec.last_update_cycle_time = time;
     if (one != ReturnType::OK) {
       if (spec.controllers_chain_group.size() > 1) {

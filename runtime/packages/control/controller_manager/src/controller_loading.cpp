@@ -256,6 +256,34 @@ void ControllerManager::sort_controllers() {
   controllers_ = std::move(sorted);
 }
 
+/// They are asked for again in each switch and list: what throws there must not be configured.
+bool ControllerManager::interfaces_are_well_named(const ControllerSpec& controller) const {
+  const auto are_unique = [&](const char* kind, const auto& configuration) {
+    names_of(configuration, {});  // throws for a pattern that is not one
+    if (ros2_control::is_unique(configuration.names)) {
+      return true;
+    }
+    RCLCPP_ERROR(get_logger(),
+                 "The %s interfaces of the controller '%s' are not unique. Please make sure that "
+                 "the %s interfaces are unique.",
+                 kind, controller.info.name.c_str(), kind);
+    return false;
+  };
+  try {
+    return are_unique("command", controller.c->command_interface_configuration()) &&
+           are_unique("state", controller.c->state_interface_configuration());
+  } catch (const std::exception& error) {
+    RCLCPP_ERROR(get_logger(),
+                 "Caught exception of type : %s while asking for the interfaces of controller "
+                 "'%s': %s",
+                 typeid(error).name(), controller.info.name.c_str(), error.what());
+    if (!handle_exceptions_) {
+      throw;
+    }
+    return false;
+  }
+}
+
 ControllerManager::ReturnType ControllerManager::configure_controller(
     const std::string& controller_name) {
   RCLCPP_INFO(get_logger(), "Configuring controller: '%s'", controller_name.c_str());
@@ -307,20 +335,9 @@ ControllerManager::ReturnType ControllerManager::configure_controller(
   if (spec.c->is_chainable() && !export_interfaces(spec)) {
     return ReturnType::ERROR;
   }
-  const auto has_twice = [&](const char* kind, const std::vector<std::string>& names) {
-    if (ros2_control::is_unique(names)) {
-      return false;
-    }
-    RCLCPP_ERROR(get_logger(),
-                 "The %s interfaces of the controller '%s' are not unique. Please make sure that "
-                 "the %s interfaces are unique.",
-                 kind, controller_name.c_str(), kind);
+  if (!interfaces_are_well_named(spec)) {
     spec.c->get_node()->cleanup();
     remove_exported_interfaces(spec);
-    return true;
-  };
-  if (has_twice("command", spec.c->command_interface_configuration().names) ||
-      has_twice("state", spec.c->state_interface_configuration().names)) {
     return ReturnType::ERROR;
   }
   sort_controllers();

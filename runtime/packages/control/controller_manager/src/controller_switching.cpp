@@ -259,10 +259,10 @@ void ControllerManager::switch_chained_mode(
 bool ControllerManager::claim_interfaces(ControllerSpec& spec) {
   std::vector<hardware_interface::LoanedCommandInterface> commands;
   std::vector<hardware_interface::LoanedStateInterface> states;
-  spec.info.claimed_interfaces = names_of(spec.c->command_interface_configuration(),
-                                          resource_manager_->available_command_interfaces());
   const char* kind = "command";
   try {
+    spec.info.claimed_interfaces = names_of(spec.c->command_interface_configuration(),
+                                            resource_manager_->available_command_interfaces());
     for (const std::string& name : spec.info.claimed_interfaces) {
       if (resource_manager_->command_interface_is_claimed(name)) {
         RCLCPP_ERROR(get_logger(),

@@ -21,6 +21,13 @@ using controller_interface::return_type;
 return_type DiffDriveController::update_reference_from_subscribers(const rclcpp::Time& time,
                                                                    const rclcpp::Duration&) {
   const auto logger = get_node()->get_logger();
+  if (last_update_ && last_update_->get_clock_type() == time.get_clock_type() &&
+      time < *last_update_) {
+    // Simulated time was set back: by its stamp a command of before would hold until then.
+    halt();
+    reset_buffers();
+  }
+  last_update_ = time;
   if (const auto newest = received_velocity_msg_.try_get()) command_msg_ = *newest;
   auto& linear = *ordered_exported_reference_interfaces_[0];
   auto& angular = *ordered_exported_reference_interfaces_[1];
@@ -117,7 +124,8 @@ bool DiffDriveController::update_odometry(double linear, double angular, const r
 }
 
 bool DiffDriveController::is_time_to_publish(const rclcpp::Time& time) {
-  if (!last_publication_ || last_publication_->get_clock_type() != time.get_clock_type()) {
+  if (!last_publication_ || last_publication_->get_clock_type() != time.get_clock_type() ||
+      time < *last_publication_) {  // simulated time was set back
     last_publication_ = time;
     return true;
   }

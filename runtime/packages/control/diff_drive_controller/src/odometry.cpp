@@ -28,18 +28,27 @@ double Odometry::seconds_until(int64_t time_ns) const {
   return static_cast<double>(time_ns - time_ns_) * 1e-9;
 }
 
+bool Odometry::was_set_back(int64_t time_ns) {
+  const bool was = time_ns < time_ns_;
+  if (was) init(time_ns);
+  return was;
+}
+
 bool Odometry::update(double left_pos, double right_pos, int64_t time_ns) {
-  if (seconds_until(time_ns) < kShortest) return false;
+  const bool starts_again = was_set_back(time_ns);
+  if (!starts_again && seconds_until(time_ns) < kShortest) return false;
   const double left_way = left_pos * wheels_.left_radius;
   const double right_way = right_pos * wheels_.right_radius;
   const double left = left_way - left_way_;
   const double right = right_way - right_way_;
   left_way_ = left_way;
   right_way_ = right_way;
+  if (starts_again) return false;  // the wheels were set back too
   return updateFromVelocity(left, right, time_ns);
 }
 
 bool Odometry::updateFromVelocity(double left_vel, double right_vel, int64_t time_ns) {
+  if (was_set_back(time_ns)) return false;
   const double dt = seconds_until(time_ns);
   if (dt < kShortest) return false;
   const double linear = (left_vel + right_vel) / 2.0;
@@ -56,6 +65,7 @@ bool Odometry::updateFromVelocity(double left_vel, double right_vel, int64_t tim
 void Odometry::updateOpenLoop(double linear, double angular, int64_t time_ns) {
   linear_ = linear;
   angular_ = angular;
+  if (was_set_back(time_ns)) return;
   const double dt = seconds_until(time_ns);
   time_ns_ = time_ns;
   integrate(linear * dt, angular * dt);

@@ -47,6 +47,13 @@ bool has_its_turn(double since_last, unsigned int rate, unsigned int manager_rat
   return error_now <= error_if_skipped;
 }
 
+/// Nothing for an interface that is missing, busy, or of another type: that has no limits.
+std::optional<double> number_in(const Handle* interface) {
+  const bool is_number =
+      interface != nullptr && interface->get_data_type() == HandleDataType::DOUBLE;
+  return is_number ? interface->get_optional() : std::nullopt;
+}
+
 using Read = return_type (HardwareComponent::*)(const rclcpp::Time&, const rclcpp::Duration&);
 
 struct Half {
@@ -62,9 +69,9 @@ return_type run(const Half& half, HardwareComponent& component, unsigned int rat
     return (component.*half.call)(now, period);
   }
   const rclcpp::Time& last = (component.*half.last)();
-  const rclcpp::Duration since = last.get_clock_type() == RCL_CLOCK_UNINITIALIZED
-                                     ? rclcpp::Duration::from_seconds(1.0 / rate)
-                                     : now - last;
+  // The first turn, and the first after simulated time was set back.
+  const bool is_first = last.get_clock_type() == RCL_CLOCK_UNINITIALIZED || now < last;
+  const rclcpp::Duration since = is_first ? rclcpp::Duration::from_seconds(1.0 / rate) : now - last;
   return has_its_turn(since.seconds(), rate, manager_rate) ? (component.*half.call)(now, since)
                                                            : return_type::OK;
 }
@@ -199,8 +206,8 @@ bool ResourceManager::enforce_command_limits(const rclcpp::Duration& period) {
       const std::string full_name = joint + "/" + name;
       const auto state = storage_->ledger.available_state(full_name);
       const auto command = storage_->ledger.available_command(full_name);
-      data.actual.*field = state ? state->get_optional() : std::nullopt;
-      data.command.*field = command ? command->get_optional() : std::nullopt;
+      data.actual.*field = number_in(state.get());
+      data.command.*field = number_in(command.get());
     }
     data.limited = data.command;
     if (!joint_limits::saturate(joint, storage_->hard_limits[joint], data.actual, data.limited,

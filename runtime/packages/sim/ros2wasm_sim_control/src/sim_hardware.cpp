@@ -240,7 +240,8 @@ void SimHardware::command(const DrivenJoint& joint) {
   const auto commanded = [&](const hardware_interface::CommandInterface::SharedPtr& interface) {
     double value = std::nan("");
     if (interface) (void)get_command(interface, value, true);
-    return value;
+    // An infinite command would end the physics: it is none, as NaN is.
+    return std::isfinite(value) ? value : std::nan("");
   };
   const double limit = strength(physics, joint.joint);
   if (joint.mode == Mode::kPosition) {

@@ -28,7 +28,7 @@ bool SimResourceManager::load_and_initialize_components(
                    "The plugin failed to load for some reason. Error: [%s] is not hardware of the "
                    "simulator, such as gz_ros2_control/GazeboSimSystem",
                    info.hardware_plugin_name.c_str());
-      return false;
+      continue;
     }
     hardware_interface::HardwareComponentParams own;
     own.hardware_info = info;
@@ -37,6 +37,10 @@ bool SimResourceManager::load_and_initialize_components(
     own.node_namespace = params.node_namespace;
     own.executor = params.executor;
     import_component(std::make_unique<SimHardware>(simulation_, settings_), own);
+    if (get_components_status().count(info.name) == 0) {
+      RCLCPP_FATAL(get_logger(), "Could not initialize robot simulation interface");
+      return false;
+    }
   }
   components_are_loaded_and_initialized_ = true;
   return true;

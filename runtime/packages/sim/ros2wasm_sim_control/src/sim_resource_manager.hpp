@@ -16,7 +16,7 @@ class SimResourceManager final : public hardware_interface::ResourceManager {
                      Simulation& simulation, SimHardwareSettings settings)
       : ResourceManager(params, false), simulation_(simulation), settings_(std::move(settings)) {}
 
-  /// The simulated hardware; a description that has other hardware too is refused.
+  /// The simulated hardware; other hardware of the description is reported and left out.
   bool load_and_initialize_components(
       const hardware_interface::ResourceManagerParams& params) override;
   using ResourceManager::load_and_initialize_components;

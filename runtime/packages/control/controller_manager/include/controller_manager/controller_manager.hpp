@@ -138,6 +138,7 @@ class ControllerManager : public rclcpp::Node {
   ReturnType cleanup(const ControllerSpec& controller);
   void remove_exported_interfaces(const ControllerSpec& controller);
   bool export_interfaces(const ControllerSpec& controller);
+  bool interfaces_are_well_named(const ControllerSpec& controller) const;
   void sort_controllers();
   void read_controller_parameters(const std::string& name,
                                   hardware_interface::ControllerInfo& info);
@@ -149,7 +150,8 @@ class ControllerManager : public rclcpp::Node {
   bool claim_interfaces(ControllerSpec& spec);
   bool is_its_turn(const ControllerSpec& spec, const rclcpp::Time& time,
                    rclcpp::Duration& period) const;
-  ReturnType update_one(ControllerSpec& spec, const rclcpp::Duration& period);
+  ReturnType update_one(ControllerSpec& spec, const rclcpp::Time& time,
+                        const rclcpp::Duration& period);
   void fall_back(const std::vector<std::string>& failed);
   void stop_users_of(const std::vector<std::string>& hardware, const char* cycle, bool is_error);
   std::vector<std::string> commands_of(const std::vector<std::string>& controllers);

@@ -109,6 +109,7 @@ class DiffDriveController : public controller_interface::ChainableControllerInte
   std::unique_ptr<SpeedLimiter> limiter_angular_;
 
   rclcpp::Duration publish_period_ = rclcpp::Duration::from_nanoseconds(0);
+  std::optional<rclcpp::Time> last_update_;  ///< of the reference, out of chained mode
   std::optional<rclcpp::Time> last_publication_;
 };
 

@@ -50,6 +50,8 @@ class Odometry {
  private:
   using Mean = rcppmath::RollingMeanAccumulator<double>;
 
+  /// After simulated time was set back: begins again at that time, and keeps the pose.
+  bool was_set_back(int64_t time_ns);
   double seconds_until(int64_t time_ns) const;
   void integrate(double linear, double angular);
   void reset_means();

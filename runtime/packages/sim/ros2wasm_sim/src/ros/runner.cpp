@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "checks/real_time.hpp"
 #include "ros/resources.hpp"
@@ -53,6 +54,15 @@ void Runner::pause(bool paused) {
 
 void Runner::step(std::uint64_t count, std::function<bool(const Progress&)> report) {
   asked_.push_back({.progress = {.made = 0, .left = count}, .report = std::move(report)});
+}
+
+void Runner::drop_steps() {
+  const std::deque<Asked> dropped = std::exchange(asked_, {});
+  for (const Asked& one : dropped) {
+    Progress progress = one.progress;
+    progress.failed = true;
+    if (one.report) one.report(progress);
+  }
 }
 
 void Runner::tick() {

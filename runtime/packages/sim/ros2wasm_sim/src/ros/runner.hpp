@@ -35,6 +35,8 @@ class Runner {
   /// not keep the node from its services. `report` is called after those of a tick; false ends
   /// them.
   void step(std::uint64_t count, std::function<bool(const Progress&)> report = {});
+  /// The steps that were asked for and are still to be made: they are reported as failed.
+  void drop_steps();
   /// No steps after these. 0: no limit.
   void end_after(std::uint64_t steps) { most_steps_ = steps; }
 

@@ -315,6 +315,7 @@ Result SimulationServices::set_simulation_state(std::uint8_t state) {
   switch (state) {
     case SimulationState::STATE_PLAYING:
       stopped_ = false;
+      runner_.drop_steps();
       runner_.pause(false);
       return ok();
     case SimulationState::STATE_PAUSED:
@@ -323,10 +324,12 @@ Result SimulationServices::set_simulation_state(std::uint8_t state) {
       runner_.pause(true);
       return ok();
     case SimulationState::STATE_STOPPED:
+      runner_.drop_steps();
       runner_.pause(true);
       stopped_ = true;
       return reset(simulation_interfaces::srv::ResetSimulation::Request::SCOPE_ALL);
     case SimulationState::STATE_QUITTING:
+      runner_.drop_steps();
       // The answer goes out before the node ends.
       runner_.step(0, [](const Runner::Progress&) {
         rclcpp::shutdown();

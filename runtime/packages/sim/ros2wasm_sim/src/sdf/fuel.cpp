@@ -40,6 +40,24 @@ bool is_plain(const std::string& name) {
          });
 }
 
+/// People paste the address into a shell: all that is not a letter, a digit or one of `-._~%` is
+/// written by its number.
+std::string escaped(const std::string& text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string result;
+  for (const char letter : text) {
+    const bool is_plain_letter = (letter >= 'a' && letter <= 'z') ||
+                                 (letter >= 'A' && letter <= 'Z') ||
+                                 (letter >= '0' && letter <= '9');
+    const auto code = static_cast<unsigned char>(letter);
+    if (is_plain_letter || std::string_view("-._~%").find(letter) != std::string_view::npos)
+      result += letter;
+    else
+      result += {'%', kDigits[code / 16], kDigits[code % 16]};
+  }
+  return result;
+}
+
 std::string replaced(std::string text, char from, char to) {
   std::replace(text.begin(), text.end(), from, to);
   return text;
@@ -89,11 +107,6 @@ std::vector<std::string> fuel_folders(const FuelModel& model) {
 }
 
 std::string fuel_archive(const FuelModel& model) {
-  const auto escaped = [](const std::string& text) {
-    std::string result;
-    for (const char letter : text) result += letter == ' ' ? "%20" : std::string(1, letter);
-    return result;
-  };
   return "https://fuel.gazebosim.org/1.0/" + escaped(model.owner) + "/models/" +
          escaped(model.name) + ".zip";
 }

@@ -55,17 +55,30 @@ Outcome<std::vector<std::string>> lines_of(const fs::path& file) {
   return result;
 }
 
+/// Whether a path below a folder stays in it.
+bool is_inside(const fs::path& below) {
+  const fs::path plain = below.lexically_normal();
+  return !plain.empty() && !plain.is_absolute() && *plain.begin() != "..";
+}
+
 Outcome<LinkKit> read_kit(const fs::path& folder, const fs::path& prefix) {
   const auto lines = lines_of(folder / kArguments);
   if (!lines) return lines.errors();
   LinkKit kit{.name = folder.filename().string(), .base = {}, .arguments = {}};
   for (const std::string& line : *lines) {
-    if (line.starts_with(kOfKit))
-      kit.arguments.push_back((folder / line.substr(kOfKit.size())).string());
-    else if (line.starts_with(kOfPrefix))
-      kit.arguments.push_back((prefix / line.substr(kOfPrefix.size())).string());
-    else
+    const bool is_copy = line.starts_with(kOfKit);
+    if (!is_copy && !line.starts_with(kOfPrefix)) {
       kit.arguments.push_back(line);
+      continue;
+    }
+    const fs::path& base = is_copy ? folder : prefix;
+    const fs::path file = line.substr((is_copy ? kOfKit : kOfPrefix).size());
+    if (!is_inside(file))
+      return Diagnostic{.code = "R2W0505",
+                        .message = "the program `" + kit.name + "` cannot be linked again",
+                        .why = {"its package names the file `" + file.string() +
+                                "`, which would not be a part of it"}};
+    kit.arguments.push_back((base / file).string());
   }
   return kit;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "workspace_schema/base/json_reader.hpp"
 #include "workspace_schema/conda/wheel_name.hpp"
@@ -144,13 +143,30 @@ std::vector<std::string> libraries_in_order(
     const std::map<std::string, std::vector<std::string>>& depends) {
   std::vector<std::string> order;
   std::set<std::string> seen;
-  const std::function<void(const std::string&)> visit = [&](const std::string& project) {
-    const auto row = depends.find(project);
-    if (row == depends.end() || !seen.insert(project).second) return;
-    for (const std::string& one : row->second) visit(one);
-    order.push_back(project);
+  struct Open {
+    const std::string* project;
+    const std::vector<std::string>* needs;
+    std::size_t next = 0;
   };
-  for (const std::string& one : projects) visit(one);
+  // Not by recursion: a lock file may have chains as long as it likes.
+  std::vector<Open> open;
+  const auto begin = [&](const std::string& project) {
+    const auto row = depends.find(project);
+    if (row != depends.end() && seen.insert(project).second)
+      open.push_back({&row->first, &row->second});
+  };
+  for (const std::string& one : projects) {
+    begin(one);
+    while (!open.empty()) {
+      Open& top = open.back();
+      if (top.next < top.needs->size()) {
+        begin((*top.needs)[top.next++]);
+        continue;
+      }
+      order.push_back(*top.project);
+      open.pop_back();
+    }
+  }
   return order;
 }
 

@@ -129,6 +129,16 @@ TEST_F(LinkKitTest, AProgramOfAChannelThatNeedsWhatNoPackageHasIsRefused) {
             "it is linked with /elsewhere/libpluginlib.a, which is in no package");
 }
 
+TEST_F(LinkKitTest, AKitThatNamesFilesElsewhereIsRefused) {
+  for (const char* line :
+       {"prefix:../secret.a", "kit:/etc/secret.a", "prefix:lib/../../secret.a"}) {
+    tree_.write("hostile/link_kits/demo/programs/run/arguments", std::string(line) + "\n");
+    const auto kits = program_kits(tree_ / "hostile", "demo");
+    ASSERT_FALSE(kits) << line;
+    EXPECT_EQ(kits.errors().front().code, "R2W0505");
+  }
+}
+
 constexpr const char* kWhole = "-Wl,--whole-archive";
 constexpr const char* kNotWhole = "-Wl,--no-whole-archive";
 

@@ -76,7 +76,7 @@ void ControllerManager::stop_users_of(const std::vector<std::string>& hardware, 
 bool ControllerManager::is_its_turn(const ControllerSpec& spec, const rclcpp::Time& time,
                                     rclcpp::Duration& period) const {
   const unsigned int rate = spec.c->get_update_rate();
-  // After simulated time was set back an update counts as the first: the way back is no period.
+  // After simulated time was set back, an update counts as the first: the way back does not count.
   const bool is_first = spec.last_update_cycle_time->get_clock_type() == RCL_CLOCK_UNINITIALIZED ||
                         time < *spec.last_update_cycle_time;
   if (rate == 0 || rate >= update_rate_) {
@@ -101,6 +101,12 @@ ControllerManager::ReturnType ControllerManager::update_one(ControllerSpec& spec
   } catch (const std::exception& error) {
     RCLCPP_ERROR(get_logger(), "Caught exception of type : %s while updating controller '%s': %s",
                  typeid(error).name(), spec.info.name.c_str(), error.what());
+    if (!handle_exceptions_) {
+      throw;
+    }
+  } catch (...) {
+    RCLCPP_ERROR(get_logger(), "Caught unknown exception while updating controller '%s'",
+                 spec.info.name.c_str());
     if (!handle_exceptions_) {
       throw;
     }

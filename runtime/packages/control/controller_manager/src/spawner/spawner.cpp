@@ -214,11 +214,13 @@ int run(int argc, char** argv) {
   if (!files_exist(options.controllers)) {
     return 1;
   }
-  const auto node = std::make_shared<rclcpp::Node>("spawner_" + options.controllers.front().name);
+  const std::string name = "spawner_" + options.controllers.front().name;
   try {
+    // A controller's name may not be one that a node can have.
+    const auto node = std::make_shared<rclcpp::Node>(name);
     return Spawner(node, options, arguments).run();
   } catch (const ServiceNotFound& error) {
-    RCLCPP_FATAL(node->get_logger(), "%s", error.what());
+    RCLCPP_FATAL(rclcpp::get_logger(name), "%s", error.what());
   } catch (const Interrupted&) {
     return 0;
   } catch (const std::exception& error) {

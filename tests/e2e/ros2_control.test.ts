@@ -227,3 +227,68 @@ test('a node of the workspace has hardware and controllers of the workspace', wa
     own.close();
   }
 });
+
+const quitter = `
+#include "controller_interface/controller_interface.hpp"
+#include "pluginlib/class_list_macros.hpp"
+#include "rclcpp/rclcpp.hpp"
+
+namespace quitter {
+class Quitter : public controller_interface::ControllerInterface {
+ public:
+  controller_interface::CallbackReturn on_init() override { return controller_interface::CallbackReturn::SUCCESS; }
+  controller_interface::InterfaceConfiguration command_interface_configuration() const override {
+    return {controller_interface::interface_configuration_type::NONE, {}};
+  }
+  controller_interface::InterfaceConfiguration state_interface_configuration() const override {
+    return {controller_interface::interface_configuration_type::NONE, {}};
+  }
+  controller_interface::return_type update(const rclcpp::Time &, const rclcpp::Duration &) override {
+    if (++updates_ == 20) rclcpp::shutdown();
+    return controller_interface::return_type::OK;
+  }
+
+ private:
+  int updates_ = 0;
+};
+}  // namespace quitter
+
+PLUGINLIB_EXPORT_CLASS(quitter::Quitter, controller_interface::ControllerInterface)
+`;
+
+test('a controller of the workspace may end ros2_control_node in an update', watchdog, async () => {
+  const own = new PackWorkspace('shared');
+  try {
+    own.addPackage('quitter', {}, {
+      cmake: `find_package(controller_interface REQUIRED)
+find_package(pluginlib REQUIRED)
+add_library(quitter SHARED src/quitter.cpp)
+ament_target_dependencies(quitter controller_interface pluginlib)
+pluginlib_export_plugin_description_file(controller_interface quitter.xml)
+install(TARGETS quitter LIBRARY DESTINATION lib ARCHIVE DESTINATION lib)
+install(FILES quitter.yaml lift.urdf quitter.launch.xml DESTINATION share/\${PROJECT_NAME})\n`,
+      depends: ['controller_interface', 'controller_manager', 'pluginlib', 'robot_state_publisher'],
+    });
+    own.write('src/quitter/src/quitter.cpp', quitter);
+    own.write('src/quitter/quitter.xml', '<library path="quitter"><class type="quitter::Quitter" base_class_type="controller_interface::ControllerInterface"/></library>\n');
+    own.write('src/quitter/lift.urdf', description('mock_components/GenericSystem'));
+    own.write('src/quitter/quitter.yaml', `controller_manager:
+  ros__parameters:
+    joint_state_broadcaster: {type: joint_state_broadcaster/JointStateBroadcaster}
+    quitter: {type: quitter::Quitter}
+`);
+    own.write('src/quitter/quitter.launch.xml', `<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher"><param name="robot_description" value="$(command 'cat $(find-pkg-share quitter)/lift.urdf')"/></node>
+  <node pkg="controller_manager" exec="ros2_control_node"><param from="$(find-pkg-share quitter)/quitter.yaml"/></node>
+  <node pkg="controller_manager" exec="spawner" args="joint_state_broadcaster quitter"/>
+</launch>\n`);
+    own.write('workspace.yaml', 'schema: 1\nname: quitter\npackages: [src/*]\nlaunch: src/quitter/quitter.launch.xml\n');
+    await own.packed();
+    const { stdout, stderr } = await own.run(['run', 'site', '--until', 'Shutting down the controller manager', '--for', '60s']);
+    assert.match(stdout, /Configured and activated quitter/, stdout + stderr);
+    assert.match(stdout, /Shutting down the controller manager\./, stdout + stderr);
+    assert.doesNotMatch(stdout + stderr, /error\[R2W07/);
+  } finally {
+    own.close();
+  }
+});

@@ -15,6 +15,18 @@ using Lock = std::lock_guard<std::recursive_mutex>;
 
 namespace {
 
+/// Holds while the list of controllers is walked through, also when one of them throws.
+class Updating {
+ public:
+  explicit Updating(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Updating() { flag_ = false; }
+  Updating(const Updating&) = delete;
+  Updating& operator=(const Updating&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) {
@@ -120,6 +132,29 @@ ControllerManager::ReturnType ControllerManager::update(const rclcpp::Time& time
   loop_thread_ = std::this_thread::get_id();
   ReturnType result = ReturnType::OK;
   std::vector<std::string> failed;
+  {
+    const Updating updating(updates_);
+    result = update_all(time, period, failed);
+  }
+  if (shutdown_is_due_) {
+    shutdown_is_due_ = false;
+    shutdown_controllers();
+    return result;
+  }
+  if (!failed.empty()) {
+    fall_back(failed);
+  }
+  if (enforce_command_limits_) {
+    resource_manager_->enforce_command_limits(period);
+  }
+  manage_switch();
+  return result;
+}
+
+ControllerManager::ReturnType ControllerManager::update_all(const rclcpp::Time& time,
+                                                            const rclcpp::Duration& period,
+                                                            std::vector<std::string>& failed) {
+  ReturnType result = ReturnType::OK;
   for (ControllerSpec& spec : controllers_) {
     rclcpp::Duration since = period;
     if (spec.c->get_lifecycle_id() != State::PRIMARY_STATE_ACTIVE ||
@@ -140,13 +175,6 @@ ControllerManager::ReturnType ControllerManager::update(const rclcpp::Time& time
       result = one;
     }
   }
-  if (!failed.empty()) {
-    fall_back(failed);
-  }
-  if (enforce_command_limits_) {
-    resource_manager_->enforce_command_limits(period);
-  }
-  manage_switch();
   return result;
 }
 

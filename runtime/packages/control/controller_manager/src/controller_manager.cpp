@@ -281,6 +281,10 @@ bool ControllerManager::shutdown_controllers() {
     }
   }
   const std::lock_guard<std::recursive_mutex> lock(controllers_lock_);
+  if (updates_) {
+    shutdown_is_due_ = true;
+    return true;
+  }
   deactivate_controllers(active);
   bool done = true;
   for (const ControllerSpec& spec : controllers_) {

@@ -18,7 +18,7 @@ using ros2wasm_parameters::gt_eq;
 
 void describe(ros2wasm_parameters::Declarations& of, Params& params) {
   of.add("action_monitor_rate", params.action_monitor_rate,
-         {"Rate at which clients of the action are told [Hz]."}, {gt_eq(0.1)});
+         {"Rate at which feedback of the action is published [Hz]."}, {gt_eq(0.1)});
   of.add("joint", params.joint, {"The joint of the gripper."});
   of.add("goal_tolerance", params.limits.goal_tolerance, {"Greatest error at the goal."},
          {gt_eq(0.0)});

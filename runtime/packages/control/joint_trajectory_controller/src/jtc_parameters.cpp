@@ -120,7 +120,7 @@ void describe(Declarations& of, Params& params) {
          params.set_last_command_interface_value_as_state_on_activation,
          {"Hold the last command at activation instead of the measured state?"});
   of.add("action_monitor_rate", params.action_monitor_rate,
-         {"Rate at which clients of the action are told [Hz].", kReadOnly}, {gt_eq(0.1)});
+         {"Rate at which feedback of the action is published [Hz].", kReadOnly}, {gt_eq(0.1)});
   of.add("interpolation_method", params.interpolation_method,
          {"What is between two points.", kReadOnly}, {one_of({"splines", "none"})});
   of.add("allow_nonzero_velocity_at_trajectory_end",

@@ -25,6 +25,13 @@ void SteeringControllersLibrary::set_references(double linear, double angular) {
 
 return_type SteeringControllersLibrary::update_reference_from_subscribers(const rclcpp::Time& time,
                                                                           const rclcpp::Duration&) {
+  if (last_time_ && last_time_->get_clock_type() == time.get_clock_type() && time < *last_time_) {
+    // Simulated time was set back: by its stamp a reference of before would hold until then.
+    current_ref_.twist.linear.x = current_ref_.twist.angular.z = kNotANumber;
+    input_ref_.try_set(current_ref_);
+    set_references(kNotANumber, kNotANumber);
+  }
+  last_time_ = time;
   if (const auto newest = input_ref_.try_get()) current_ref_ = *newest;
   double& linear = current_ref_.twist.linear.x;
   double& angular = current_ref_.twist.angular.z;

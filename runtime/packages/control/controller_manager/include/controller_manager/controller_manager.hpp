@@ -51,11 +51,12 @@ class ControllerManager : public rclcpp::Node {
                     const rclcpp::NodeOptions& options = get_cm_node_options());
   ~ControllerManager() override;
 
+  /// Within update() it is done when the update ends: a controller may end the program.
   bool shutdown_controllers();
   void robot_description_callback(const std_msgs::msg::String& msg);
   void init_resource_manager(const std::string& robot_description);
 
-  /// Null, with a line of error, when there is no such type, or the controller refuses.
+  /// Null when the type is unknown or the controller fails to initialize; the error is logged.
   controller_interface::ControllerInterfaceBaseSharedPtr load_controller(
       const std::string& controller_name, const std::string& controller_type);
   /// The type is the parameter `<name>.type`.
@@ -150,6 +151,9 @@ class ControllerManager : public rclcpp::Node {
   bool claim_interfaces(ControllerSpec& spec);
   bool is_its_turn(const ControllerSpec& spec, const rclcpp::Time& time,
                    rclcpp::Duration& period) const;
+  /// Adds the controllers that failed to `failed`, with those of their chains.
+  ReturnType update_all(const rclcpp::Time& time, const rclcpp::Duration& period,
+                        std::vector<std::string>& failed);
   ReturnType update_one(ControllerSpec& spec, const rclcpp::Time& time,
                         const rclcpp::Duration& period);
   void fall_back(const std::vector<std::string>& failed);
@@ -166,6 +170,8 @@ class ControllerManager : public rclcpp::Node {
 
   rclcpp::Clock::SharedPtr trigger_clock_;
   bool use_sim_time_ = false;
+  bool updates_ = false;          ///< update() is in its list of controllers
+  bool shutdown_is_due_ = false;  ///< it was asked for there
   bool handle_exceptions_ = true;
   bool enforce_command_limits_ = false;
   bool activate_all_hw_components_ = false;

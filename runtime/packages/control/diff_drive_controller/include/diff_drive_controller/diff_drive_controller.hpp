@@ -82,7 +82,7 @@ class DiffDriveController : public controller_interface::ChainableControllerInte
   void on_command(const std::shared_ptr<TwistStamped>& message);
   void reset_buffers();
   Feedback read_side(const std::vector<WheelHandle>& wheels, double& mean) const;
-  /// False, with the result of the update, when there is no feedback.
+  /// False when the feedback is missing.
   bool update_odometry(double linear, double angular, const rclcpp::Time& time, double period_s,
                        controller_interface::return_type& result);
   bool is_time_to_publish(const rclcpp::Time& time);

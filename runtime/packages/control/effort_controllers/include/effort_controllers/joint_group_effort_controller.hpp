@@ -1,18 +1,13 @@
-// Passes commands on to the effort of several joints.
+// Passes commands on to the effort of several joints. It commands 0 when it is deactivated.
 #pragma once
 
-#include "forward_command_controller/forward_command_controller.hpp"
+#include "forward_command_controller/joint_group.hpp"
 
 namespace effort_controllers {
 
-class JointGroupEffortController : public forward_command_controller::ForwardCommandController {
+class JointGroupEffortController : public forward_command_controller::JointGroup {
  public:
   JointGroupEffortController();
-
-  controller_interface::CallbackReturn on_init() override;
-  /// Commands 0 to all joints.
-  controller_interface::CallbackReturn on_deactivate(
-      const rclcpp_lifecycle::State& previous_state) override;
 };
 
 }  // namespace effort_controllers

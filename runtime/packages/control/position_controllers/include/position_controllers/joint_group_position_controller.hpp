@@ -1,15 +1,13 @@
 // Passes commands on to the position of several joints.
 #pragma once
 
-#include "forward_command_controller/forward_command_controller.hpp"
+#include "forward_command_controller/joint_group.hpp"
 
 namespace position_controllers {
 
-class JointGroupPositionController : public forward_command_controller::ForwardCommandController {
+class JointGroupPositionController : public forward_command_controller::JointGroup {
  public:
   JointGroupPositionController();
-
-  controller_interface::CallbackReturn on_init() override;
 };
 
 }  // namespace position_controllers

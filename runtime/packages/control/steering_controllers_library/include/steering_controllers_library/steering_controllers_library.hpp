@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,7 @@ class SteeringControllersLibrary : public controller_interface::ChainableControl
   rclcpp::Subscription<ControllerTwistReferenceMsg>::SharedPtr reference_subscription_;
   realtime_tools::RealtimeThreadSafeBox<ControllerTwistReferenceMsg> input_ref_;
   ControllerTwistReferenceMsg current_ref_;
+  std::optional<rclcpp::Time> last_time_;  ///< of update_reference_from_subscribers()
   Publisher<ControllerStateMsgOdom> odometry_publisher_;
   ControllerStateMsgOdom odometry_message_;
   Publisher<ControllerStateMsgTf> transform_publisher_;

@@ -44,7 +44,7 @@ class Runner {
   void tick();
   void run(const rclcpp::Time& now);
   void run_asked(const rclcpp::Time& end);
-  /// False: the state was not finite, or there are no more steps.
+  /// False when the state is not finite or no steps are left.
   bool step_once();
 
   rclcpp::Node::SharedPtr node_;

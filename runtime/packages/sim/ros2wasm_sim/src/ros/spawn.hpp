@@ -13,7 +13,7 @@ struct SpawnOrder {
   std::string name;  ///< empty: the model's own
   bool allow_renaming = false;
   std::string text;        ///< SDF or URDF
-  std::string uri;         ///< of a file, when there is no text
+  std::string uri;         ///< names a file; used when `text` is empty
   std::string name_space;  ///< of the topics of its plugins
   Pose pose;               ///< in the world, in place of the model's own
 };

@@ -22,7 +22,7 @@ struct StandIn {
 constexpr std::string_view kBridge =
     "nothing connects to a site: its nodes and its page share a graph";
 constexpr std::string_view kControl =
-    "ros2_control is not part of a site; a node of the workspace can do the controller's work";
+    "no channel of the workspace has ros2_control; a node of the workspace can do its work";
 constexpr std::string_view kDevice =
     "it reads a device, which no browser reaches; a node that simulates it, or a bag, can publish";
 constexpr std::string_view kJoystick =

@@ -2,8 +2,7 @@
 // simulator, spawners, a drive by velocities, a mast by positions, and a controller of the workspace's own.
 
 // Compatibility, works: ros2_control in Gazebo Sim (`gz_ros2_control`, `ign_ros2_control`) and Gazebo Classic
-// (`gazebo_ros2_control`): commands by position, velocity and effort, initial values, IMU and force sensors, controllers of the
-// workspace
+// (`gazebo_ros2_control`): commands by position and velocity, initial values, IMU and force sensors, controllers of the workspace
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -40,9 +39,14 @@ const robot = (hardware: string, simulator: string): string => `<?xml version="1
     <xacro:macro name="driven" params="side"><joint name="\${side}_wheel_joint"><command_interface name="velocity"/>
       <state_interface name="position"/><state_interface name="velocity"/></joint></xacro:macro>
     <xacro:driven side="left"/><xacro:driven side="right"/>
+    <sensor name="imu">${['orientation.x', 'orientation.y', 'orientation.z', 'orientation.w', 'angular_velocity.x', 'angular_velocity.y',
+    'angular_velocity.z', 'linear_acceleration.x', 'linear_acceleration.y', 'linear_acceleration.z'].map((one) => `<state_interface name="${one}"/>`).join('')}</sensor>
+    <sensor name="load">${['force', 'torque'].flatMap((one) => ['x', 'y', 'z'].map((axis) => `<state_interface name="${one}.${axis}"/>`)).join('')}</sensor>
     <joint name="mast_joint"><command_interface name="position"/>
       <state_interface name="position"><param name="initial_value">0.3</param></state_interface><state_interface name="velocity"/></joint>
   </ros2_control>
+  <gazebo reference="base_link"><sensor name="imu" type="imu"/></gazebo>
+  <gazebo reference="mast_joint"><sensor name="load" type="force_torque"/></gazebo>
   <gazebo><plugin ${simulator}><parameters>$(find mover)/config/controllers.yaml</parameters></plugin></gazebo>
   <gazebo><plugin filename="gz-sim-odometry-publisher-system" name="gz::sim::systems::OdometryPublisher"><odom_topic>/truth</odom_topic>
     </plugin></gazebo>
@@ -59,6 +63,12 @@ controller_manager:
     joint_state_broadcaster: {type: joint_state_broadcaster/JointStateBroadcaster}
     wheels: {type: diff_drive_controller/DiffDriveController}
     mast: {type: mover/SwingController}
+    imu: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}
+    load: {type: force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster}
+imu:
+  ros__parameters: {sensor_name: imu, frame_id: base_link}
+load:
+  ros__parameters: {sensor_name: load, frame_id: mast}
 wheels:
   ros__parameters:
     left_wheel_names: [left_wheel_joint]
@@ -143,7 +153,7 @@ def generate_launch_description():
                            parameters=[{'robot_description': ParameterValue(description, value_type=str), 'use_sim_time': True}])
     states = Node(package='controller_manager', executable='spawner', arguments=['joint_state_broadcaster'])
     others = Node(package='controller_manager', executable='spawner',
-                  arguments=['wheels', 'mast', '--controller-manager', '/controller_manager'])
+                  arguments=['wheels', 'mast', 'imu', 'load', '--controller-manager', '/controller_manager'])
     driver = Node(package='mover', executable='driver', parameters=[{'use_sim_time': True}])
 `;
 const launchTail = `
@@ -172,10 +182,10 @@ ${launchTail}`,
 const driver = `
 import math
 import rclpy
-from geometry_msgs.msg import TwistStamped
+from geometry_msgs.msg import TwistStamped, WrenchStamped
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
-from sensor_msgs.msg import JointState
+from sensor_msgs.msg import Imu, JointState
 
 
 class Driver(Node):
@@ -188,6 +198,9 @@ class Driver(Node):
         self.create_subscription(Odometry, '/wheels/odom', self.take_odometry, 10)
         self.create_subscription(Odometry, '/truth', self.take_truth, 10)
         self.create_subscription(JointState, '/joint_states', self.take_joints, 10)
+        self.felt = self.load = 0.0
+        self.create_subscription(Imu, '/imu/imu', self.take_imu, 10)
+        self.create_subscription(WrenchStamped, '/load/wrench', self.take_load, 10)
         self.create_timer(0.05, self.tick)
         self.done = False
 
@@ -196,6 +209,12 @@ class Driver(Node):
 
     def take_truth(self, message):
         self.truth = message
+
+    def take_imu(self, message):
+        self.felt = message.linear_acceleration.z
+
+    def take_load(self, message):
+        self.load = abs(message.wrench.force.z)
 
     def take_joints(self, message):
         self.joints = dict(zip(message.name, message.position))
@@ -216,6 +235,7 @@ class Driver(Node):
             self.done = True
             odometry, truth = self.odometry.pose.pose, self.truth.pose.pose
             drift = math.hypot(odometry.position.x - truth.position.x, odometry.position.y - truth.position.y)
+            print(f'it feels {self.felt:.1f} m/s2, the mast weighs {self.load:.1f} N', flush=True)
             yaw = 2 * math.atan2(odometry.orientation.z, odometry.orientation.w)
             print(f'drove to {odometry.position.x:.2f}, {odometry.position.y:.2f}, yaw {yaw:.2f}, {drift:.2f} m beside the truth', flush=True)
             print(f'the mast swung to {self.swing:.1f}, joints: {sorted(self.joints)}', flush=True)
@@ -252,7 +272,7 @@ install(DIRECTORY urdf config DESTINATION share/\${PROJECT_NAME})
 install(FILES lab.launch.py DESTINATION share/\${PROJECT_NAME})
 install(PROGRAMS driver DESTINATION lib/\${PROJECT_NAME})\n`,
       depends: ['controller_interface', 'controller_manager', 'pluginlib', 'rclcpp_lifecycle', 'rclpy', 'nav_msgs', 'geometry_msgs',
-        'sensor_msgs', 'robot_state_publisher', 'joint_state_broadcaster', 'diff_drive_controller', 'xacro',
+        'sensor_msgs', 'robot_state_publisher', 'joint_state_broadcaster', 'diff_drive_controller', 'imu_sensor_broadcaster', 'force_torque_sensor_broadcaster', 'xacro',
         ...(lab === 'sim' ? ['ros_gz_sim', 'ros_gz_bridge'] : ['gazebo_ros'])],
     });
     workspace.write('src/mover/src/swing_controller.cpp', swing);
@@ -279,6 +299,8 @@ function expectDriven(said: string): void {
   assert.ok(Math.abs(Number(y) - (4 / 3) * (1 - Math.cos(0.9))) < 0.08, said);
   assert.ok(Math.abs(Number(yaw) - 0.9) < 0.06, said);
   assert.ok(Number(drift) < 0.06, said);
+  // At rest at the end: gravity, and 0.3 kg of it.
+  assert.match(said, /it feels 9\.8 m\/s2, the mast weighs 2\.9 N/);
   assert.match(said, /the mast swung to 0\.8, joints: \['left_wheel_joint', 'mast_joint', 'right_wheel_joint'\]/);
 }
 

@@ -3,7 +3,7 @@
 // of the manager, with hardware and controllers of the workspace. Headless on both links.
 
 // Compatibility, works: ros2_control: `ros2_control_node` with mock hardware, `spawner`, `unspawner`, `hardware_spawner`, switches
-// with strictness and chains, `ros2 control`; hardware and controllers of the workspace in a node of its own that links the library
+// with strictness, `ros2 control`; hardware and controllers of the workspace in a node of its own that links the library
 // controller_manager
 
 import assert from 'node:assert/strict';

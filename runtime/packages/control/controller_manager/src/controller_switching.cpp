@@ -120,11 +120,18 @@ ControllerManager::ReturnType ControllerManager::switch_controller_cb(
     resource_manager_->cache_controller_to_hardware(name, used);
   }
   // References of controllers that this switch activates can be named to the hardware from now on.
+  std::vector<std::string> opened;
   for (const std::string& name : plan.to_chained_mode) {
-    resource_manager_->make_controller_reference_interfaces_available(name);
+    if (find_controller(name)->c->get_lifecycle_id() != State::PRIMARY_STATE_ACTIVE) {
+      resource_manager_->make_controller_reference_interfaces_available(name);
+      opened.push_back(name);
+    }
   }
   if (!resource_manager_->prepare_command_mode_switch(plan.start_interfaces,
                                                       plan.stop_interfaces)) {
+    for (const std::string& name : opened) {
+      resource_manager_->make_controller_reference_interfaces_unavailable(name);
+    }
     message = "Could not switch controllers since prepare command mode switch was rejected.";
     RCLCPP_ERROR(get_logger(), "%s", message.c_str());
     return ReturnType::ERROR;

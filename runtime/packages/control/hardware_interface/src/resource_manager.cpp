@@ -167,9 +167,14 @@ bool ResourceManager::load_and_initialize_components(const std::string& urdf,
   }
   components_are_loaded_and_initialized_ = done && missing.empty();
   if (!components_are_loaded_and_initialized_) {
-    storage_->clear();
+    remove_all_components();
   }
   return components_are_loaded_and_initialized_;
+}
+
+void ResourceManager::remove_all_components() {
+  const Lock lock(resources_lock_);
+  storage_->clear();
 }
 
 bool ResourceManager::import(std::unique_ptr<HardwareComponentInterface> component,

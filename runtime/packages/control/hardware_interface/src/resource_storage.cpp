@@ -122,6 +122,9 @@ void ResourceStorage::clear() {
   groups_.clear();
   ledger = InterfaceLedger();
   users.clear();
+  limited_joints.clear();
+  hard_limits.clear();
+  soft_limits.clear();
 }
 
 bool ResourceStorage::step(HardwareComponent& component, const char* name,

@@ -22,9 +22,9 @@ class ResourceStorage {
  public:
   ResourceStorage(rclcpp::Logger logger, bool handle_exceptions);
 
-  /// Null, with a line of error, when the plugin cannot be made.
+  /// Null, after a logged error, when the plugin cannot be made.
   std::unique_ptr<HardwareComponentInterface> load(const HardwareInfo& info);
-  /// Initializes the component and adds its interfaces. False, with a line of error, when it
+  /// Initializes the component and adds its interfaces. False, after a logged error, when it
   /// refuses.
   bool add(std::unique_ptr<HardwareComponentInterface> plugin,
            const HardwareComponentParams& params);

@@ -39,6 +39,7 @@ bool SimResourceManager::load_and_initialize_components(
     import_component(std::make_unique<SimHardware>(simulation_, settings_), own);
     if (get_components_status().count(info.name) == 0) {
       RCLCPP_FATAL(get_logger(), "Could not initialize robot simulation interface");
+      remove_all_components();
       return false;
     }
   }

@@ -144,6 +144,9 @@ class ResourceManager {
   rclcpp::Logger get_logger() const { return params_.logger; }
   rclcpp::Clock::SharedPtr get_clock() const { return params_.clock; }
 
+  /// Drops the hardware and the limits of a description that failed: the next one starts afresh.
+  void remove_all_components();
+
   bool components_are_loaded_and_initialized_ = false;
   bool allow_controller_activation_with_inactive_hardware_ = false;
   bool return_failed_hardware_names_on_return_deactivate_write_cycle_ = true;

@@ -11,7 +11,7 @@ namespace transmission_interface {
 class TransmissionLoader {
  public:
   virtual ~TransmissionLoader() = default;
-  /// Null, with a line of error, for a description that does not fit.
+  /// Null, after a logged error, for a description that does not fit.
   virtual std::shared_ptr<Transmission> load(
       const hardware_interface::TransmissionInfo& transmission_info) = 0;
 };

@@ -230,7 +230,7 @@ export class SharedBroker implements Broker {
       if (bus.load(word) !== departed) continue;
       const key = endpointKey(index, bus.load(word + BusEndpoint.generation));
       if (unread(bus, key)) left += 1;
-      else releaseEndpoint(bus, key, participant);
+      else releaseEndpoint(bus, key, participant, true);
     }
     if (left > 0) return false;
     bus.store(bus.participantWord(participant) + BusParticipant.state, BusParticipantState.free);

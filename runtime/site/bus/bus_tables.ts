@@ -150,14 +150,17 @@ export function bumpGeneration(bus: Bus, word: number): void {
   bus.store(word + BusEndpoint.generation, nextGeneration(bus.load(word + BusEndpoint.generation)));
 }
 
-/** Frees the slot and the pages of an endpoint that departed. */
-export function releaseEndpoint(bus: Bus, key: number, participant: number): void {
+/**
+ * Frees the slot and the pages of an endpoint that departed. `killed`: its participant was terminated, perhaps between the
+ * allocation of a page and the word that would lead to it, so all pages are searched.
+ */
+export function releaseEndpoint(bus: Bus, key: number, participant: number, killed: boolean): void {
   const word = bus.endpointWord(keyIndex(key));
   if (bus.load(word + BusEndpoint.generation) !== key >>> 13) return;
   const departed = ((participant + 1) << 8) | BusPhase.departed;
   const claimed = (departed & ~255) | BusPhase.claimed;
   if (bus.compareExchange(word, departed, claimed) !== departed) return;
-  const pages = bus.load(word + BusEndpoint.ring) !== 0 || bus.load(word + BusEndpoint.table) !== 0;
+  const pages = killed || bus.load(word + BusEndpoint.ring) !== 0 || bus.load(word + BusEndpoint.table) !== 0;
   bumpGeneration(bus, word);
   bus.store(word + BusEndpoint.ring, 0);
   bus.store(word + BusEndpoint.hazard, 0);

@@ -49,7 +49,7 @@ export function freeDeparted(
     }
     if (writes(record.kind) && unread(bus, key)) continue;
     departed.delete(key);
-    releaseEndpoint(bus, key, participant);
+    releaseEndpoint(bus, key, participant, false);
   }
   return departed.size < before;
 }

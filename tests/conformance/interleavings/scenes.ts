@@ -234,6 +234,11 @@ export const scenes: readonly ExploredScene[] = [
     make: (laboratory) => dyingWriter(laboratory, { before: ringSlots, length: 8, qos: { depth: 16 }, more: 1 }),
   },
   {
+    name: 'a writer dies at every access of its first message',
+    limits: { deaths: 1, interruptions: 0 },
+    make: (laboratory) => dyingWriter(laboratory, { before: 0, length: 8, qos: {}, more: 1 }),
+  },
+  {
     name: 'a writer of large messages dies at every access',
     limits: { deaths: 1, interruptions: 0 },
     make: (laboratory) => dyingWriter(laboratory, { before: 3, length: 2200, qos: { depth: 1 }, more: 1 }),
@@ -367,26 +372,12 @@ export const scenes: readonly ExploredScene[] = [
   },
   {
     name: 'the ninth writer makes a reader move its places, while a keep_all writer waits for it',
-    make(laboratory) {
-      const world = new SceneWorld(laboratory, { endpoints: 16 });
-      const [a, b] = [world.join(), world.join()];
-      const sub = world.subscription(b, keepAll);
-      const pubs = Array.from({ length: 9 }, () => world.publisher(a, keepAll));
-      const { publish, listen, takeOne } = laboratory.code;
-      for (const pub of pubs.slice(0, 8)) laboratory.now(publish(a, pub, numbered(1, 1), []));
-      for (let i = 0; i < 8; i += 1) laboratory.now(takeOne(b, sub));
-      laboratory.now(publish(a, pubs[8]!, numbered(1, 1), []));
-      laboratory.now(publish(a, pubs[0]!, numbered(2, keepAllLimit), []));
-      const [received, written] = [world.log<Received>(), world.log<number>()];
-      world.process('writer', () => publish(a, pubs[0]!, numbered(keepAllLimit + 2, 1), written));
-      world.process('reader', () => listen(b, sub, received, many(3)));
-      world.finally(() => {
-        equal(sequences(received), '1,2,3', 'received');
-        equal(written, keepAllLimit + 2, 'written');
-        world.closeAll([a, b]);
-      });
-      return world.run();
-    },
+    make: (laboratory) => ninthWriter(laboratory, false),
+  },
+  {
+    name: 'a reader dies at every access while the ninth writer makes it move its places',
+    limits: { deaths: 1, interruptions: 0 },
+    make: (laboratory) => ninthWriter(laboratory, true),
   },
   {
     name: 'at the ceiling a keep_all writer waits until its reader gives pages back',
@@ -448,6 +439,30 @@ function appearing(
       if (!got.has(sequence)) throw new Error(`${sequence} is lost: received ${sequences(received)}`);
     }
     world.closeAll([a, b]);
+  });
+  return world.run();
+}
+
+/** A reader has eight writers in its entry; the ninth takes its places to a page of its own. The first writer waits for the reader. */
+function ninthWriter(laboratory: Laboratory, mayDie: boolean): Run {
+  const world = new SceneWorld(laboratory, { endpoints: 16 });
+  const [a, b] = [world.join(), world.join()];
+  const sub = world.subscription(b, keepAll);
+  const pubs = Array.from({ length: 9 }, () => world.publisher(a, keepAll));
+  const { publish, listen, takeOne } = laboratory.code;
+  for (const pub of pubs.slice(0, 8)) laboratory.now(publish(a, pub, numbered(1, 1), []));
+  for (let i = 0; i < 8; i += 1) laboratory.now(takeOne(b, sub));
+  laboratory.now(publish(a, pubs[8]!, numbered(1, 1), []));
+  laboratory.now(publish(a, pubs[0]!, numbered(2, keepAllLimit), []));
+  const [received, written] = [world.log<Received>(), world.log<number>()];
+  world.process('writer', () => publish(a, pubs[0]!, numbered(keepAllLimit + 2, 1), written));
+  const reader = world.process('reader', () => listen(b, sub, received, many(3)));
+  if (mayDie) world.mayDie(reader, b.participant);
+  world.finally(() => {
+    const died = world.died(reader);
+    if (!died) equal(sequences(received), '1,2,3', 'received');
+    equal(written, keepAllLimit + 2, 'written');
+    world.closeAll(died ? [a] : [a, b]);
   });
   return world.run();
 }

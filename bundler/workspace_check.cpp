@@ -129,7 +129,7 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
   append(report.warnings, left_out_of_site(*description, is_known, world));
   for (const LaunchProcess& process : description->processes) {
     const std::string& package = process.node.package.value;
-    if (process.node.is_command || stand_in(package, is_known)) continue;
+    if (process.node.is_command || has_stand_in(package, is_known)) continue;
     // Its program is chosen by its components.
     if (!is_container(process)) report.launched.push_back(process.node);
     for (const LaunchComponent& one : process.components) report.launched.push_back(one.node);

@@ -131,7 +131,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
   std::vector<NodeEntry> entries;
   Diagnostics errors;
   for (LaunchProcess& process : description->processes) {
-    if (stand_in(process.node.package.value, is_known)) continue;
+    if (has_stand_in(process.node.package.value, is_known)) continue;
     const auto number = static_cast<std::size_t>(&process - description->processes.data());
     const auto keep = [&](const LaunchProcess& one) {
       numbers.push_back(number);

@@ -17,6 +17,7 @@ struct StandIn {
   std::string_view package;  ///< ends with `*`: all that begin so
   std::string_view instead;
   std::string_view panel = {};  ///< that the usual layout has in its place
+  bool shown = false;           ///< the page shows all that the program would show
 };
 
 constexpr std::string_view kBridge =
@@ -39,14 +40,14 @@ constexpr StandIn kStandIns[] = {
     {"controller_manager", kControl},
     {"foxglove_bridge", kBridge},
     {"gazebo*", kSimulator},
-    {"joint_state_publisher_gui", "the panel Joints of the page replaces it", "joints"},
+    {"joint_state_publisher_gui", "the panel Joints of the page replaces it", "joints", true},
     {"joy", kJoystick, "teleop"},
     {"joy_linux", kJoystick, "teleop"},
     {"joy_teleop", kJoystick, "teleop"},
     {"micro_ros_agent", kBridge},
     {"moveit*", "MoveIt is not part of a site, its messages are"},
     {"nav2_*", kNavigation},
-    {"plotjuggler*", "the page shows the messages of topics"},
+    {"plotjuggler*", "the page shows the messages of topics", {}, true},
     {"realsense2_camera", kDevice},
     {"robot_localization", kNavigation},
     {"ros_gz*", kSimulator},
@@ -54,8 +55,8 @@ constexpr StandIn kStandIns[] = {
     {"rosapi", kBridge},
     {"rosbridge_server", kBridge},
     {"rplidar_ros", kDevice},
-    {"rqt*", "the page shows nodes and topics"},
-    {"rviz*", "the 3D view of the page replaces it", "scene"},
+    {"rqt*", "the page shows nodes and topics", {}, true},
+    {"rviz*", "the 3D view of the page replaces it", "scene", true},
     {"sick_scan*", kDevice},
     {"slam_toolbox", kNavigation},
     {"sllidar_ros2", kDevice},
@@ -77,6 +78,15 @@ Diagnostic left_out(const std::string& what, const std::string& why, const Sourc
           .why = {why}};
 }
 
+/// Nothing is wrong: the author need not look at the launch file.
+Diagnostic replaced(const std::string& program, const StandIn& stand_in, SourceSpan place) {
+  place.line_text.clear();
+  return {.code = "R2W0415",
+          .severity = Severity::kNote,
+          .message = "`" + program + "` is not started: " + std::string(stand_in.instead),
+          .span = std::move(place)};
+}
+
 constexpr std::size_t kMostDisplays = 12;
 
 /// The word after `-d`; empty when there is none.
@@ -88,18 +98,21 @@ std::string configuration_of(const NodeEntry& node) {
   return option == words.end() || option + 1 == words.end() ? std::string() : *(option + 1);
 }
 
-/// Lines about the displays in the FILE of `rviz2 -d FILE`: which ones the page shows, and where.
-std::vector<std::string> displays_of(const NodeEntry& node, const LaunchWorld& world) {
+/// The displays in the FILE of `rviz2 -d FILE`; empty when it is not a file of the workspace yet.
+RvizDisplays displays_of(const NodeEntry& node, const LaunchWorld& world) {
   const std::string file = configuration_of(node);
   if (file.empty()) return {};
   const auto text = world.read(file);
-  if (!text) return {};  // it may be made later, or lie where no site looks
-  const RvizDisplays displays = rviz_displays(*text);
+  return text ? rviz_displays(*text) : RvizDisplays{};
+}
+
+/// Which displays the page shows, and where.
+std::vector<std::string> display_lines(const RvizDisplays& displays) {
   std::vector<std::string> result;
   const auto tell = [&](const std::vector<std::string>& names, const std::string& what) {
     if (!names.empty()) result.push_back(what + ": " + name_list(names, kMostDisplays));
   };
-  tell(displays.shown, "of what its configuration displays it shows");
+  tell(displays.shown, "the 3D view shows");
   tell(displays.elsewhere, "the panel Image shows");
   tell(displays.missing, "the page does not show");
   return result;
@@ -127,9 +140,8 @@ std::string place_in_site(const std::string& path) {
 
 }  // namespace
 
-std::optional<std::string> stand_in(const std::string& package, const IsKnownPackage& is_known) {
-  const StandIn* found = find_stand_in(package, is_known);
-  return found == nullptr ? std::nullopt : std::optional(std::string(found->instead));
+bool has_stand_in(const std::string& package, const IsKnownPackage& is_known) {
+  return find_stand_in(package, is_known) != nullptr;
 }
 
 std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
@@ -161,12 +173,17 @@ Diagnostics left_out_of_site(const LaunchDescription& description, const IsKnown
     result.push_back(left_out(one.what, one.instead, one.span));
   for (const LaunchProcess& process : description.processes) {
     const NodeEntry& node = process.node;
-    const auto instead = stand_in(node.package.value, is_known);
-    if (!instead) continue;
-    result.push_back(
-        left_out(node.package.value + "/" + node.executable.value, *instead, node.span));
-    if (!node.package.value.starts_with("rviz")) continue;
-    for (std::string& one : displays_of(node, world)) result.back().why.push_back(std::move(one));
+    const StandIn* found = find_stand_in(node.package.value, is_known);
+    if (found == nullptr) continue;
+    const std::string program = node.package.value + "/" + node.executable.value;
+    const RvizDisplays displays =
+        node.package.value.starts_with("rviz") ? displays_of(node, world) : RvizDisplays{};
+    if (found->shown && displays.missing.empty()) {
+      result.push_back(replaced(program, *found, node.span));
+      continue;
+    }
+    result.push_back(left_out(program, std::string(found->instead), node.span));
+    for (std::string& one : display_lines(displays)) result.back().why.push_back(std::move(one));
   }
   return result;
 }

@@ -14,13 +14,11 @@ namespace ros2wasm {
 /// Whether a site could have the package. One that it has is started, whatever its name.
 using IsKnownPackage = std::function<bool(const std::string& package)>;
 
-/// The replacement for the package's programs in a site: a view of the page for rviz2; nothing for
-/// packages whose programs a site can run.
-[[nodiscard]] std::optional<std::string> stand_in(const std::string& package,
-                                                  const IsKnownPackage& is_known);
+/// Whether something of the page stands in for the package's programs, or a site cannot run them.
+[[nodiscard]] bool has_stand_in(const std::string& package, const IsKnownPackage& is_known);
 
-/// A warning (R2W0415) each. The warning for rviz2 lists the displays of its configuration, when
-/// `world` has it.
+/// A warning (R2W0415) each, or a note when the page shows all that the program would show. The
+/// warning for rviz2 lists the displays of its configuration.
 [[nodiscard]] Diagnostics left_out_of_site(const LaunchDescription& description,
                                            const IsKnownPackage& is_known,
                                            const LaunchWorld& world);

@@ -220,6 +220,32 @@ HttpResponse bare_response(const SiteServing& serving, const HttpRequest& reques
   return path_response(serving, request, *path);
 }
 
+/// A file that a browser would open as a document that runs scripts.
+bool is_document(const std::string& path) {
+  const std::string_view type = mime_type(path.substr(path.rfind('/') + 1));
+  return type.starts_with("text/html") || type.find("xml") != std::string_view::npos;
+}
+
+/// The page of a site, or of a course and its labs. Other documents were brought along by a lab.
+bool is_page(const ServedPlace& place, std::string_view path) {
+  if (!path.starts_with(place.address)) return false;
+  std::string_view below = path.substr(place.address.size());
+  if (below == "index.html") return true;
+  const std::size_t slash = below.find('/');
+  return slash != std::string_view::npos && below.substr(slash + 1) == "index.html" &&
+         place.address.empty() && is_course_of_ours(place.folder);
+}
+
+/// A document of a lab must not act as a page of the origin. The service worker does the same on
+/// hosts that send no headers, for visitors who have opened the site before.
+std::string policy_for(const SiteServing& serving, const HttpRequest& request) {
+  const std::string policy(site_policy());
+  std::string path = site_path_of(request.target).value_or("");
+  if (path.empty() || path.ends_with('/')) path += "index.html";
+  const bool of_lab = is_document(path) && !is_page(serving.place, path);
+  return of_lab ? "sandbox; " + policy : policy;
+}
+
 }  // namespace
 
 Outcome<Done> check_site(const std::filesystem::path& folder, CourseToo course_too) {
@@ -261,7 +287,7 @@ HttpResponse site_response(const SiteServing& serving, const HttpRequest& reques
   const bool live = std::holds_alternative<TextStream>(response.body);
   response.headers.emplace_back("Cache-Control", live ? "no-store" : "no-cache");
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
-  response.headers.emplace_back("Content-Security-Policy", std::string(site_policy()));
+  response.headers.emplace_back("Content-Security-Policy", policy_for(serving, request));
   if (serving.isolation) {
     response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
     response.headers.emplace_back("Cross-Origin-Embedder-Policy", "require-corp");

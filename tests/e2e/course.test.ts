@@ -125,6 +125,8 @@ test('the page lists the labs, shows texts as text, and leads to them', watchdog
 test('serve serves the whole, run one of its labs', watchdog, async () => {
   await using served = await ServedSite.start([join(ws.root, 'course'), '--port', '0']);
   assert.equal((await fetch(served.url)).status, 200);
+  const policy = async (path: string): Promise<string | null> => (await fetch(served.url + path)).headers.get('content-security-policy');
+  for (const page of ['', 'lab03/', 'lab03/index.html']) assert.match(await policy(page) ?? '', /^default-src/, page);
   assert.equal((await fetch(`${served.url}lab03/site.json`)).status, 200);
   const run = await ws.run(['run', 'course/lab03', '--until', 'Python counts 1', '--for', '60s']);
   assert.equal(run.code, 0, run.stderr);

@@ -27,7 +27,7 @@ after(() => workspace.close());
 test('what no site can start is refused with --strict', async () => {
   const packed = await workspace.run(['pack', '--strict']);
   assert.equal(packed.code, 1);
-  assert.match(packed.stderr, /error\[R2W0415\]: `rviz2\/rviz2` is skipped/);
+  assert.match(packed.stderr, /error\[R2W0415\]: `rviz2\/rviz2` is not started/);
 });
 
 function seenInOrder(text: string): void {

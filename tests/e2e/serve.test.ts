@@ -84,6 +84,20 @@ describe('headers', WATCHDOG, () => {
       assert.equal(answer.headers['cross-origin-resource-policy'], 'same-origin', path);
     }
   });
+  // Guarantee, hostile input: documents of a lab have no part in the origin when `serve` gives them, also at a first visit
+  test('documents that a lab brings along are in a sandbox, the page is not', async () => {
+    using scratch = new Scratch();
+    await using server = await ServedSite.start([siteWithFiles(scratch), '--port', '0']);
+    const policy = async (path: string): Promise<string> => String((await ask(server, path)).headers['content-security-policy']);
+    const usual = await policy('/');
+    for (const path of ['/index.html', '/main.js', '/index.html?a']) assert.equal(await policy(path), usual, path);
+    for (const path of ['/docs/', '/docs/index.html', '/icon.svg', '/%69con.svg?a']) assert.equal(await policy(path), `sandbox; ${usual}`, path);
+    const { etag } = (await ask(server, '/icon.svg')).headers;
+    const again = await ask(server, '/icon.svg', { 'If-None-Match': etag! });
+    assert.equal(again.status, 304);
+    assert.equal(again.headers['content-security-policy'], `sandbox; ${usual}`);
+  });
+
 
   test('--no-isolation leaves the isolation headers out', async () => {
     using scratch = new Scratch();

@@ -30,6 +30,8 @@ type Manifest = ReadonlyMap<string, string>;
 interface SiteList {
   readonly text: string;
   readonly files: Manifest;
+  /** Those directly below the site's own, as comparableNames() writes them. */
+  readonly folders: ReadonlySet<string>;
 }
 
 /** `sandboxed`: as a document it runs no script, and has no part in the origin. */
@@ -56,6 +58,34 @@ function canonical(href: string): string {
   }
 }
 
+/**
+ * The names in an address below the site, in the one form in which all addresses that a host may take for the same file agree:
+ * hosts ignore capitals, decode slashes and join several slashes.
+ */
+function comparableNames(href: string): readonly string[] {
+  const encoded = href.slice(scope.registration.scope.length);
+  let path = encoded;
+  try {
+    path = decodeURIComponent(encoded);
+  } catch {
+    // It is compared as it is.
+  }
+  return path.normalize('NFKC').toLowerCase().split(/[\\/]/).filter((name) => name !== '' && name !== '.');
+}
+
+const pageAddresses: ReadonlySet<string> = new Set(['', 'index', 'index.html'].map((name) => scope.registration.scope + name));
+
+/**
+ * HTML or SVG that a lab brings along, opened in a tab or a frame, would act as a page of the site. The host chooses which file
+ * it gives for `folder/` or `name`, so everything in the site's folders counts. Other folders may have other sites.
+ */
+function isDocumentOfLab(url: string, { files, folders }: SiteList): boolean {
+  if (pageAddresses.has(url)) return false;
+  if (files.size === 0 || files.has(canonical(url))) return true;
+  const names = comparableNames(url);
+  return names.includes('..') || folders.has(names[0] ?? '');
+}
+
 function parseManifest(text: string): Manifest {
   const map = new Map<string, string>();
   try {
@@ -76,7 +106,13 @@ function parseManifest(text: string): Manifest {
 }
 
 function listOf(text: string): SiteList {
-  return { text, files: parseManifest(text) };
+  const files = parseManifest(text);
+  const folders = new Set<string>();
+  for (const url of files.keys()) {
+    const names = url.startsWith(scope.registration.scope) ? comparableNames(url) : [];
+    if (names.length > 1) folders.add(names[0]!);
+  }
+  return { text, files, folders };
 }
 
 function listResponse({ text }: SiteList): Response {
@@ -214,9 +250,9 @@ function ownList(client: string): Promise<SiteList | undefined> {
   return known;
 }
 
-/** The files of the requesting page's site list, or of the newest one. */
-async function manifestOf(client: string): Promise<Manifest> {
-  return (await ownList(client) ?? await currentList()).files;
+/** The requesting page's site list, or the newest one. */
+async function listFor(client: string): Promise<SiteList> {
+  return await ownList(client) ?? await currentList();
 }
 
 async function digest(bytes: ArrayBuffer | Uint8Array<ArrayBuffer>): Promise<string> {
@@ -254,8 +290,8 @@ async function answer(event: FetchEvent): Promise<Response> {
   const url = request.url.replace(/[?#].*$/, '');
   const client = event.clientId;
   if (url === siteUrl()) {
-    const list = await ownList(client);
-    return withHeaders(list === undefined ? await freshSite() : listResponse(list));
+    const opened = await ownList(client);
+    return withHeaders(opened === undefined ? await freshSite() : listResponse(opened));
   }
   const folder = url === scope.registration.scope;
   const file = folder ? new URL('index.html', url).href : url;
@@ -265,15 +301,13 @@ async function answer(event: FetchEvent): Promise<Response> {
     // A page in a frame within is not a visit of the site.
     if (file === new URL('index.html', scope.registration.scope).href) await remember(event.resultingClientId);
   }
-  const files = request.mode === 'navigate' ? (await currentList()).files : await manifestOf(client);
+  const list = request.mode === 'navigate' ? await currentList() : await listFor(client);
   const address = canonical(file);
-  const sha256 = files.get(address);
+  const sha256 = list.files.get(address);
   // Not of this site.
   if (sha256 === undefined && !url.startsWith(scope.registration.scope)) return fetch(request);
   const cached = sha256 === undefined ? undefined : await cachedFile(address, sha256);
-  // HTML or SVG that a lab brings along, opened in a tab or a frame, would act as a page of the site.
-  const page = canonical(new URL('index.html', scope.registration.scope).href);
-  const sandboxed = request.mode === 'navigate' && sha256 !== undefined && address !== page;
+  const sandboxed = request.mode === 'navigate' && isDocumentOfLab(url, list);
   if (cached !== undefined) return withHeaders(cached, sandboxed);
   // The host may let the browser keep files for long, and the site may have been packed again: so ask the host.
   const response = sha256 === undefined ? await fetch(request) : await fetch(request, { cache: 'no-cache' });

@@ -201,6 +201,12 @@ test('documents of a lab are in a sandbox, the page itself is not', async () => 
     assert.equal(await policy('index.html', true), usual, round);
     assert.equal(await policy('a.js', false), usual, round);
     assert.equal(await policy('share/lab/evil.html', true), `sandbox; ${usual}`, round);
+    // Other addresses by which a host gives the same files, and folders' index.html.
+    for (const other of ['share/lab/', 'share/lab', 'share/lab/evil', 'SHARE/lab/', '/share/lab/', 'share%2Flab/', 'other/..%2fshare/lab/', 'share%5Clab/']) {
+      assert.equal(await policy(other, true), `sandbox; ${usual}`, `${other} ${round}`);
+    }
+    // The page of another site in a folder of its own.
+    assert.equal(await policy('lab2/', true), usual, round);
     await stage.keep();
   }
 });

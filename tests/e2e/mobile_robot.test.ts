@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser, Locator, Page } from 'playwright-core';
 import { chromiumOptions, kSoftwareWebGl } from './chromium.ts';
 import { packExample } from './example_site.ts';
 import { Scratch, ServedSite, runCli } from './served_site.ts';
@@ -89,6 +89,11 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   await follow(page, 'without its eyes');
   await page.getByText('Bumped into a wall').first().waitFor();
   await page.screenshot({ path: join(kOutput, 'mobile_robot_wall.png') });
+  // The tasks: what was done above counts, what was not done does not.
+  await page.getByRole('tab', { name: 'Tasks' }).click();
+  await task(page, 'Drive into a wall').getByText(/^Done/).waitFor();
+  assert.equal(await task(page, 'Odometry that errs').getByText(/^Done/).count(), 0);
+  await page.screenshot({ path: join(kOutput, 'mobile_robot_tasks.png') });
   assert.deepEqual(troubles, []);
   await page.close();
 });
@@ -134,6 +139,11 @@ test('the 3D view shows what the launch file gives to rviz2', watchdog, async ()
 /** Waits until the controller has said so often that it is there. */
 async function reached(page: Page, times: number): Promise<void> {
   await page.getByText(/Goal reached/).nth(times - 1).waitFor();
+}
+
+/** The state of a task beside its title. */
+function task(page: Page, title: string): Locator {
+  return page.locator('.task').filter({ hasText: title }).locator('.task-title + .node-state');
 }
 
 /** A link of the lab sheet that acts. */

@@ -379,10 +379,11 @@ test('an .rviz file says what is shown', () =>
     - {Class: rviz_default_plugins/Camera, Enabled: true, Name: Camera, Topic: {Value: /camera}}
     - {Class: rviz_default_plugins/Axes, Enabled: true, Name: Axes}
     - {Class: rviz_default_plugins/Map, Enabled: false, Name: Map, Topic: {Value: /map}}
-  Global Options: {Fixed Frame: base}
+  Global Options: {Fixed Frame: base, Background Color: 255; 230; 200}
   Tools: [{Class: rviz_default_plugins/SetGoal, Topic: {Value: /there}}]
 `);
     await note.getByText('As in arm.rviz, without Axes').waitFor();
+    await page.waitForFunction(() => getComputedStyle(document.querySelector('.scene-canvas')!).backgroundColor === 'rgb(255, 230, 200)');
     const checked = page.locator('.scene-topics input:checked');
     await page.waitForFunction(() => document.querySelectorAll('.scene-topics input:checked').length === 1);
     assert.equal(await checked.evaluate((input) => input.closest('label')?.textContent), '/planPath');

@@ -49,6 +49,8 @@ test('displays, frame, view and goal are taken over', () => {
   assert.deepEqual(view?.target, [1, -2, 0.5]);
   assert.equal(view?.distance, 4.5);
   assert.ok(Math.abs((view?.azimuth ?? 0) - (5.5 - 2 * Math.PI)) < 1e-9);
+  for (const [written, background] of [['255; 0; 16', '#ff0010'], ['300; 0; 0', undefined], ['white', undefined]] as const)
+    assert.equal(readRviz(kFile.replace('48; 48; 48', written))?.options.background, background);
   const top = readRviz(kFile.replace(/Current: .*/, 'Current: {Class: rviz_default_plugins/TopDownOrtho, Scale: 100, X: 3, Y: 4}'));
   assert.deepEqual([top?.options.view?.top, top?.options.view?.target], [true, [3, 4, 0]]);
   assert.ok(Math.abs((top?.options.view?.distance ?? 0) - 3 / Math.tan(Math.PI / 8)) < 1e-9);

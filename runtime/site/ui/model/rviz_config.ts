@@ -22,6 +22,7 @@ const kMostDisplays = 200;
 const kDeepest = 8;
 /** RViz writes pixels for a metre; this is taken for the height of its picture. */
 const kPictureHeight = 600;
+const kUsualBackground = '#303030';
 
 /** Displays with a topic that the scene draws. `pack` tells by the same list what the page has (bundler/launch/rviz_config.cpp). */
 export const kDrawn: ReadonlySet<string> = new Set([
@@ -66,6 +67,7 @@ export function readRviz(text: string): RvizScene | null {
   const keep = member(on.find(({ kind }) => kind === 'Odometry')?.value, 'Keep');
   const frames = on.find(({ kind }) => kind === 'TF');
   const frame = frameName(textMember(member(root, 'Global Options'), 'Fixed Frame'));
+  const background = colorOf(member(member(root, 'Global Options'), 'Background Color'));
   const view = viewOf(member(member(root, 'Views'), 'Current'));
   const tools = member(root, 'Tools');
   const goal = topicOf(member(toolOf(tools, 'SetGoal'), 'Topic'));
@@ -81,6 +83,8 @@ export function readRviz(text: string): RvizScene | null {
       names: member(frames?.value, 'Show Names') !== false,
       ...(frame === '' ? {} : { frame }),
       ...(view === null ? {} : { view }),
+      // Each new file of RViz has that one: the page's own, which follows its theme, stands for it.
+      ...(background === null || background === kUsualBackground ? {} : { background }),
       ...(goal === '' ? {} : { goal }),
       ...(estimate === '' ? {} : { estimate }),
       ...(estimating === undefined ? {} : { variance: varianceOf(estimating) }),

@@ -2,7 +2,7 @@
 
 import { readView, writeView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';
-import { readLooks, writeLooks } from './display_look.ts';
+import { isColor, readLooks, writeLooks } from './display_look.ts';
 import type { Looks } from './display_look.ts';
 import { flagMember, member, numberMember, textMember, textsMember } from './json.ts';
 import type { Json } from './json.ts';
@@ -47,6 +47,8 @@ export interface SceneOptions {
   readonly images: readonly ImageOverlay[];
   /** How many arrows of odometry stay. */
   readonly keep: number;
+  /** Behind everything, as `#336699`; empty: the page's own. */
+  readonly background: string;
 }
 
 export const kMostKept = 1000;
@@ -60,6 +62,7 @@ const kUsualVariance: PoseVariance = { x: 0.25, y: 0.25, yaw: Math.fround((Math.
 const kMostVariance = 1e6;
 
 export function readOptions(state: Json): SceneOptions {
+  const background = textMember(state, 'background');
   return {
     frame: textMember(state, 'frame'),
     view: readView(member(state, 'view')),
@@ -76,6 +79,7 @@ export function readOptions(state: Json): SceneOptions {
     looks: readLooks(member(state, 'looks')),
     images: readImages(member(state, 'images')),
     keep: Math.round(numberMember(state, 'keep', 1, kMostKept, kUsuallyKept)),
+    background: isColor(background) ? background : '',
   };
 }
 
@@ -95,12 +99,13 @@ export function readImages(value: unknown): readonly ImageOverlay[] {
     .filter(({ topic }) => topic !== '');
 }
 
-export function writeOptions({ view, topics, looks, variance, images, follow, ...plain }: SceneOptions): Json {
+export function writeOptions({ view, topics, looks, variance, images, follow, background, ...plain }: SceneOptions): Json {
   const isUsual = variance.x === kUsualVariance.x && variance.y === kUsualVariance.y && variance.yaw === kUsualVariance.yaw;
   return {
     ...plain,
     view: writeView(view),
     ...(follow === '' ? {} : { follow }),
+    ...(background === '' ? {} : { background }),
     ...(topics === null ? {} : { topics: [...topics] }),
     ...(Object.keys(looks).length === 0 ? {} : { looks: writeLooks(looks) }),
     ...(isUsual ? {} : { variance: { ...variance } }),

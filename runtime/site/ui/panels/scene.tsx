@@ -38,6 +38,14 @@ const kMostOffers = 1000;
 const kMostFiles = 20;
 const kMostFields = 30;
 
+/** Words and lines of the scene that can be read over a background which is not the page's; none for the page's. */
+function colorsOver(background: string): Readonly<Record<string, string>> {
+  if (background === '') return {};
+  const [red, green, blue] = [1, 3, 5].map((at) => Number.parseInt(background.slice(at, at + 2), 16)) as [number, number, number];
+  const isDark = 0.299 * red + 0.587 * green + 0.114 * blue < 128;
+  return { background, color: isDark ? '#f4f4f4' : '#1a1a1a', borderTopColor: isDark ? '#a0a0a0' : '#707070' };
+}
+
 export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const options = useMemo(() => readOptions(state), [state]);
   const codec = useCodec(session);
@@ -206,6 +214,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
             role="application"
             aria-label={panelTexts.scene.canvas}
             tabIndex={0}
+            style={colorsOver(options.background)}
             ref={canvas}
           />
           {tools.tool === null ? null : <span class="scene-cross" aria-hidden="true" />}

@@ -98,7 +98,7 @@ export function useScene(use: SceneUse): Scene {
     };
   }, [session]);
 
-  useEffect(() => view?.setColors(), [view, theme]);
+  useEffect(() => view?.setColors(), [view, theme, options.background]);
   useEffect(() => {
     // The visitor's own change comes back late and rounded: by then the view may have moved on.
     if (keyOf(options.view) === settled.current) return;

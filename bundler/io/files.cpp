@@ -109,25 +109,27 @@ bool is_absent(const fs::path& path) {
   return fs::symlink_status(path, error).type() == fs::file_type::not_found;
 }
 
-Outcome<int> open_file_to_read(const fs::path& path) {
+Outcome<int> open_file_to_read(const fs::path& path, std::uint64_t at_most) {
   // A pipe without a writer must not be waited for.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return cannot_open(path, errno);
   struct stat status {};
-  if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) return file;
+  const bool regular = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+  const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
+  if (regular && size <= at_most) return file;
   ::close(file);
+  if (regular) return cannot_read(path, too_large(at_most, size));
   return S_ISDIR(status.st_mode) ? cannot_read(path, EISDIR)
                                  : cannot_read(path, kind_of_file(status.st_mode));
 }
 
 Outcome<std::string> read_file(const fs::path& path, std::uint64_t at_most) {
-  const auto opened = open_file_to_read(path);
+  const auto opened = open_file_to_read(path, at_most);
   if (!opened) return opened.errors();
   const Descriptor file(*opened);
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) return cannot_read(path, errno);
   const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
-  if (size > at_most) return cannot_read(path, too_large(at_most, size));
   std::string bytes;
   std::uint64_t used = 0;
   try {

@@ -32,7 +32,8 @@ inline constexpr std::uint64_t kMostOfData = std::uint64_t{16} << 30U;
 
 /// Opens for reading what read_file() would read, and gives its descriptor, which the caller
 /// closes. R2W0210.
-[[nodiscard]] Outcome<int> open_file_to_read(const std::filesystem::path& path);
+[[nodiscard]] Outcome<int> open_file_to_read(const std::filesystem::path& path,
+                                             std::uint64_t at_most = kMostOfData);
 
 /// Writes beside and renames, so that readers see the old bytes or the new ones, never half. Parent
 /// directories are made. Writes nothing when the file has these bytes already. R2W0211.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <functional>
 #include <vector>
 
 #include "bundler/io/files.hpp"
@@ -47,13 +48,13 @@ std::string sha256_hex(std::string_view bytes) {
   return hasher.hex();
 }
 
-Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5) {
+namespace {
+
+Outcome<Done> read_pieces(const std::filesystem::path& path,
+                          const std::function<void(std::string_view)>& take) {
   const auto opened = open_file_to_read(path);
   if (!opened) return opened.errors();
   const int fd = *opened;
-  Hasher sha256;
-  Hasher md5(HashKind::kMd5);
-  FileHashes hashes;
   std::vector<char> buffer(std::size_t{256} * 1024);
   for (;;) {
     const ssize_t got = ::read(fd, buffer.data(), buffer.size());
@@ -64,14 +65,48 @@ Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5) 
       return cannot_read(path, failed);
     }
     if (got == 0) break;
-    const std::string_view piece(buffer.data(), static_cast<std::size_t>(got));
+    take(std::string_view(buffer.data(), static_cast<std::size_t>(got)));
+  }
+  ::close(fd);
+  return Done{};
+}
+
+}  // namespace
+
+Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5) {
+  Hasher sha256;
+  Hasher md5(HashKind::kMd5);
+  FileHashes hashes;
+  const auto read = read_pieces(path, [&](std::string_view piece) {
     sha256.add(piece);
     if (with_md5) md5.add(piece);
     hashes.size += piece.size();
-  }
-  ::close(fd);
+  });
+  if (!read) return read.errors();
   hashes.sha256 = sha256.hex();
   if (with_md5) hashes.md5 = md5.hex();
+  return hashes;
+}
+
+Outcome<FileHashes> hash_parts(const std::vector<std::filesystem::path>& parts,
+                               std::uint64_t at_most) {
+  FileHashes hashes;
+  for (const auto& part : parts) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(part, error);
+    hashes.size += error ? 0 : size;  // read_pieces() says why it cannot be read
+  }
+  if (hashes.size > at_most) return hashes;
+  hashes.size = 0;
+  Hasher sha256;
+  for (const auto& part : parts) {
+    const auto read = read_pieces(part, [&](std::string_view piece) {
+      sha256.add(piece);
+      hashes.size += piece.size();
+    });
+    if (!read) return read.errors();
+  }
+  hashes.sha256 = sha256.hex();
   return hashes;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "workspace_schema/base/outcome.hpp"
 
@@ -41,5 +42,10 @@ struct FileHashes {
 /// Reads a file once. R2W0210.
 [[nodiscard]] Outcome<FileHashes> hash_file(const std::filesystem::path& path,
                                             bool with_md5 = false);
+
+/// The sha256 of all parts, one after the other. Nothing is read when they have more than `at_most`
+/// bytes: `sha256` is empty then. For files of strangers, which can have holes of terabytes. R2W0210.
+[[nodiscard]] Outcome<FileHashes> hash_parts(const std::vector<std::filesystem::path>& parts,
+                                             std::uint64_t at_most);
 
 }  // namespace ros2wasm

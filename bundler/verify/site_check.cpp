@@ -43,21 +43,6 @@ ListedFile listed_hash_list(const SiteList& list) {
   return {.path = kHashList, .size = text.size(), .sha256 = sha256_hex(text), .reason = {}};
 }
 
-/// The hash of all parts, one after the other.
-Outcome<FileHashes> hash_parts(const std::vector<fs::path>& parts) {
-  if (parts.size() == 1) return hash_file(parts.front());
-  Hasher hasher;
-  FileHashes hashes;
-  for (const fs::path& part : parts) {
-    const auto bytes = read_file(part, kMostOfData);
-    if (!bytes) return bytes.errors();
-    hasher.add(*bytes);
-    hashes.size += bytes->size();
-  }
-  hashes.sha256 = hasher.hex();
-  return hashes;
-}
-
 /// SHA256SUMS, which a site in a store does not have.
 std::optional<ListedFile> wanted_hash_list(const SiteList& list) {
   if (!list.store.objects.empty()) return std::nullopt;
@@ -107,13 +92,15 @@ const TreeEntry* entry_of(const std::vector<TreeEntry>& tree, const std::string&
 /// Nothing when the file has the listed bytes. R2W0210 when it cannot be read at all.
 Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed,
                                             const std::vector<fs::path>& parts) {
-  const auto hashes = hash_parts(parts);
+  const auto hashes = hash_parts(parts, std::min(listed.size, kMostOfData));
   if (!hashes) return hashes.errors();
   if (hashes->size != listed.size) {
     return std::optional(other_bytes(listed.path, "it has " + std::to_string(hashes->size) +
                                                       " bytes, site.json says " +
                                                       std::to_string(listed.size)));
   }
+  if (hashes->sha256.empty())
+    return std::optional(other_bytes(listed.path, "no file of a site has so many bytes"));
   if (hashes->sha256 != listed.sha256) {
     return std::optional(other_bytes(
         listed.path, "its sha256 is " + hashes->sha256 + ", site.json says " + listed.sha256));

@@ -82,6 +82,9 @@ TEST(Files, AreReadUpToALimit) {
             "R2W0210: it has 5 bytes or more; of such a file at most 4 are read");
   fs::resize_file(tree / "x", std::uintmax_t{1} << 40U);  // takes no place on the disk
   EXPECT_EQ(why_not_read(tree / "x").substr(0, 35), "R2W0210: it has 1099511627776 bytes");
+  const auto hashes = hash_file(tree / "x");
+  ASSERT_FALSE(hashes);
+  EXPECT_EQ(hashes.errors().front().why.front().substr(0, 26), "it has 1099511627776 bytes");
   // Files of the kernel do not say how long they are.
   EXPECT_EQ(why_not_read("/proc/self/status"), "it was read");
   EXPECT_EQ(why_not_read("/proc/self/status", 10).substr(0, 19), "R2W0210: it has 11 ");

@@ -43,6 +43,23 @@ TEST(SiteCheck, FilesThatNoListHas) {
   EXPECT_EQ(unlisted_files(std::vector<std::string>(9, "a"), "s").why.back(), "and 4 more");
 }
 
+// Guarantee, hostile input: a file of a site that is larger than its list says is not read
+TEST(SiteCheck, AFileOfATerabyteIsAFault) {
+  const testing::TemporaryTree tree;
+  const std::string json = R"({"generator":"ros2wasm 0.1.0","files":[{"path":"a.js","size":1,)"
+                           R"("sha256":")" + sha256_hex("x") + R"("}]})";
+  tree.write("site/site.json", json);
+  tree.write("site/a.js", "x");
+  const auto good = check_site_folder(tree / "site", {}, {});
+  ASSERT_TRUE(good);
+  std::filesystem::resize_file(tree / "site/a.js", std::uintmax_t{1} << 40U);
+  const auto check = check_site_folder(tree / "site", {}, {});
+  ASSERT_TRUE(check);
+  ASSERT_EQ(check->faults.size(), good->faults.size() + 1);
+  EXPECT_EQ(check->faults.front().code, "R2W0650");
+  EXPECT_EQ(check->faults.front().why.front(), "it has 1099511627776 bytes, site.json says 1");
+}
+
 /// A course of one lab, `one`, whose page is "x".
 void write_course(const testing::TemporaryTree& tree) {
   write_empty_site(tree, "course/one");

@@ -44,7 +44,8 @@ struct FileHashes {
                                             bool with_md5 = false);
 
 /// The sha256 of all parts, one after the other. Nothing is read when they have more than `at_most`
-/// bytes: `sha256` is empty then. For files of strangers, which can have holes of terabytes. R2W0210.
+/// bytes: `sha256` is empty then. For files of strangers, which can have holes of terabytes.
+/// R2W0210.
 [[nodiscard]] Outcome<FileHashes> hash_parts(const std::vector<std::filesystem::path>& parts,
                                              std::uint64_t at_most);
 

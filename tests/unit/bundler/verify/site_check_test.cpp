@@ -47,7 +47,8 @@ TEST(SiteCheck, FilesThatNoListHas) {
 TEST(SiteCheck, AFileOfATerabyteIsAFault) {
   const testing::TemporaryTree tree;
   const std::string json = R"({"generator":"ros2wasm 0.1.0","files":[{"path":"a.js","size":1,)"
-                           R"("sha256":")" + sha256_hex("x") + R"("}]})";
+                           R"("sha256":")" +
+                           sha256_hex("x") + R"("}]})";
   tree.write("site/site.json", json);
   tree.write("site/a.js", "x");
   const auto good = check_site_folder(tree / "site", {}, {});

@@ -10,6 +10,7 @@ import { basename, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { build } from 'esbuild';
+import { staticScript } from './opencv_script.mjs';
 import { components, takeInputs } from './components.mjs';
 import { languageOf, otherTexts } from './other_texts.ts';
 
@@ -107,6 +108,27 @@ const leanRosmsg = {
   },
 };
 
+/** jpeg-js gives its file as a Buffer of Node.js, which a browser does not have. */
+const jpegBytes = {
+  name: 'jpeg-bytes',
+  setup(esbuild) {
+    esbuild.onLoad({ filter: /jpeg-js[\\/]lib[\\/]encoder\.js$/ }, ({ path }) => {
+      const source = readFileSync(path, 'utf8');
+      const contents = source.replace('Buffer.from(byteout)', 'Uint8Array.from(byteout)');
+      if (contents === source) throw new Error(`${path} is not as it was`);
+      return { contents };
+    });
+  },
+};
+
+/** OpenCV.js without its WebAssembly, which sites have in the package that has cv2, and without dynamic code. */
+const staticOpenCv = {
+  name: 'static-opencv',
+  setup(esbuild) {
+    esbuild.onLoad({ filter: /@opencvjs[\\/]web[\\/]lib[\\/]opencv_js\.js$/ }, ({ path }) => ({ contents: staticScript(readFileSync(path, 'utf8')) }));
+  },
+};
+
 /** Leaves dynamic imports of our files out of the bundle and notes them: file name -> source. */
 function separateImports(later) {
   return {
@@ -196,7 +218,7 @@ async function buildRow(row, out) {
     entryPoints: { [name]: row.from },
     outdir: out,
     // Headless programs say what they say in English.
-    plugins: [leanRosmsg, ...(row.kind === 'node' ? [] : translated), ...(row.kind === 'modules' ? [separateImports(later)] : [])],
+    plugins: [leanRosmsg, staticOpenCv, jpegBytes, ...(row.kind === 'node' ? [] : translated), ...(row.kind === 'modules' ? [separateImports(later)] : [])],
     metafile: true,
   });
   if (row.kind !== 'node') takeInputs(metafile); // headless programs are in no site

@@ -174,14 +174,16 @@ std::vector<PythonImport> python_uses(const fs::path& folder, const fs::path& ba
                                       const fs::path& shown_base) {
   std::vector<PythonImport> result;
   std::set<std::string> own;
-  std::set<std::tuple<std::string, std::vector<std::string>, bool>> known;
+  using Use = std::tuple<std::string, std::vector<std::string>, std::vector<std::string>, bool>;
+  std::set<Use> known;
   for (const fs::path& file : python_sources(folder, own)) {
     const auto text = read_file(file, kMostOfText);
     if (!text || (!file.has_extension() && !is_python_script(*text))) continue;
     for (PythonImport& one : python_imports(*text, shown_path(file, base, shown_base))) {
       const std::string name = one.module.substr(0, one.module.find('.'));
       if (name.empty() || is_python_module(name) || own.contains(name)) continue;
-      if (known.emplace(one.module, one.names, one.needed).second) result.push_back(std::move(one));
+      if (known.emplace(one.module, one.names, one.attributes, one.needed).second)
+        result.push_back(std::move(one));
     }
   }
   return result;

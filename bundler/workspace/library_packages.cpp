@@ -23,6 +23,7 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"numpy", "numpy"},
     {"orocos_kdl", "orocos-kdl"},
     {"python-transforms3d-pip", "transforms3d"},
+    {"python3-opencv", "py-opencv"},
     {"python3-pil", "pillow"},
     {"python3-serial", "pyserial"},
     {"python3-yaml", "pyyaml"},

@@ -104,7 +104,7 @@ class Request {
     const bool is_wanted =
         (one.needed && !is_refused) || (package != nullptr && names_key(*package, found->second));
     const bool is_met = channel_has(top, question_.known, question_.manifest.distro) &&
-                        stand_in_has(one.module, one.names).value_or(true);
+                        stand_in_has(one.module, one.names, one.attributes).value_or(true);
     if (is_wanted && !is_met) asked_.insert(found->second);
   }
 

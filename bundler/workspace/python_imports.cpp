@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
+#include <set>
 
 namespace ros2wasm {
 namespace {
@@ -263,6 +265,7 @@ class Reader {
 
   std::vector<PythonImport> read() {
     while (at_ < code_.size()) logical_line();
+    note_attributes();
     return std::move(found_);
   }
 
@@ -345,7 +348,12 @@ class Reader {
       while (i < words.size()) {
         const Word& place = words[i];
         std::string module = dotted(words, i);
-        if (!module.empty()) add(std::move(module), {}, place, needed);
+        if (!module.empty()) {
+          const bool renamed = i + 1 < words.size() && words[i].text == "as";
+          const std::string_view name = renamed ? words[i + 1].text : place.text;
+          if (module.find('.') == std::string::npos) whole_[name].push_back(found_.size());
+          add(std::move(module), {}, place, needed);
+        }
         while (i < words.size() && words[i].text != ",") ++i;
         ++i;
       }
@@ -382,6 +390,31 @@ class Reader {
                   .line_text = std::string(text_.substr(start, text_.find('\n', start) - start))}});
   }
 
+  /// For each `NAME.ATTRIBUTE` of a module that is called NAME in this file.
+  void note_attributes() {
+    if (whole_.empty()) return;
+    std::map<std::string_view, std::set<std::string>> used;
+    const std::string_view code = code_;
+    for (std::size_t at = 0; at < code.size();) {
+      if (!is_word(code[at])) {
+        ++at;
+        continue;
+      }
+      const std::size_t start = at;
+      while (at < code.size() && is_word(code[at])) ++at;
+      const auto module = whole_.find(code.substr(start, at - start));
+      const bool is_inner = start > 0 && code[start - 1] == '.';
+      if (module == whole_.end() || is_inner || at >= code.size() || code[at] != '.') continue;
+      const std::size_t name = ++at;
+      while (at < code.size() && is_word(code[at])) ++at;
+      if (at > name) used[module->first].emplace(code.substr(name, at - name));
+    }
+    for (const auto& [name, attributes] : used) {
+      for (const std::size_t index : whole_.at(name))
+        found_[index].attributes.assign(attributes.begin(), attributes.end());
+    }
+  }
+
   struct Block {
     std::size_t indent;
     bool always_runs;
@@ -393,6 +426,8 @@ class Reader {
   std::size_t at_ = 0;
   std::vector<Block> blocks_;
   std::vector<PythonImport> found_;
+  /// Places in `found_` of modules that are imported whole, by their names in the file.
+  std::map<std::string_view, std::vector<std::size_t>> whole_;
 };
 
 template <typename List>

@@ -13,6 +13,9 @@ namespace ros2wasm {
 struct PythonImport {
   std::string module;  ///< "a.b"; of a relative one with its dots: "..b"
   std::vector<std::string> names;
+  /// Names that the file uses of a module which it imports whole: `x` of `a.x`, after `import a`.
+  /// Sorted.
+  std::vector<std::string> attributes = {};
   bool needed = true;  ///< the file cannot be imported without it: not in a function, `try` or `if`
   SourceSpan span;
 };

@@ -30,13 +30,154 @@ constexpr auto kOtherNames = std::to_array<OtherName>({
 });
 
 /// The names that the embedded channel's `scipy` has (runtime/packages/tools/scipy).
-constexpr std::string_view kStandIn = "scipy";
-constexpr auto kStandInNames = std::to_array<std::string_view>({
+constexpr std::string_view kScipy = "scipy";
+constexpr auto kScipyNames = std::to_array<std::string_view>({
     "scipy",
     "scipy.spatial",
     "scipy.spatial.transform",
     "scipy.spatial.transform.Rotation",
     "scipy.spatial.transform.Slerp",
+});
+
+/// Names of OpenCV that the embedded channel's `cv2` does not have
+/// (runtime/packages/vendor/py_opencv).
+constexpr std::string_view kOpenCv = "cv2";
+constexpr auto kNotOfOpenCv = std::to_array<std::string_view>({
+    "BOWKMeansTrainer",
+    "CascadeClassifier",
+    "DISOpticalFlow_create",
+    "EMD",
+    "FileStorage",
+    "FlannBasedMatcher",
+    "GeneralizedHoughBallard",
+    "HOGDescriptor",
+    "LineSegmentDetector",
+    "MSER_create",
+    "Mahalanobis",
+    "PCABackProject",
+    "PCACompute",
+    "PCACompute2",
+    "PCAProject",
+    "QRCodeEncoder",
+    "RQDecomp3x3",
+    "SIFT",
+    "SIFT_create",
+    "SVDecomp",
+    "StereoBM",
+    "StereoBM_create",
+    "StereoSGBM",
+    "StereoSGBM_create",
+    "Stitcher",
+    "Stitcher_create",
+    "Subdiv2D",
+    "TrackerCSRT_create",
+    "TrackerKCF_create",
+    "TrackerMIL_create",
+    "UMat",
+    "barcode",
+    "bgsegm",
+    "bioinspired",
+    "buildOpticalFlowPyramid",
+    "buildPyramid",
+    "calcCovarMatrix",
+    "calibrateHandEye",
+    "calibrateRobotWorldHandEye",
+    "ccm",
+    "colorChange",
+    "composeRT",
+    "computeCorrespondEpilines",
+    "convertFp16",
+    "convertPointsFromHomogeneous",
+    "convertPointsToHomogeneous",
+    "cornerEigenValsAndVecs",
+    "cornerSubPix",
+    "correctMatches",
+    "createBackgroundSubtractorKNN",
+    "createLineSegmentDetector",
+    "cuda",
+    "data",
+    "dct",
+    "decolor",
+    "decomposeEssentialMat",
+    "decomposeHomographyMat",
+    "decomposeProjectionMatrix",
+    "denoise_TVL1",
+    "detail",
+    "detailEnhance",
+    "dnn",
+    "dnn_superres",
+    "drawChessboardCorners",
+    "edgePreservingFilter",
+    "estimateAffine3D",
+    "estimateAffinePartial2D",
+    "face",
+    "fastNlMeansDenoising",
+    "fastNlMeansDenoisingColored",
+    "findChessboardCorners",
+    "findChessboardCornersSB",
+    "findCirclesGrid",
+    "findEssentialMat",
+    "findFundamentalMat",
+    "fisheye",
+    "flann",
+    "freetype",
+    "gapi",
+    "getGaborKernel",
+    "getOptimalNewCameraMatrix",
+    "hfs",
+    "idct",
+    "img_hash",
+    "initCameraMatrix2D",
+    "intensity_transform",
+    "ipp",
+    "legacy",
+    "line_descriptor",
+    "linearPolar",
+    "logPolar",
+    "matMulDeriv",
+    "mcc",
+    "ml",
+    "motempl",
+    "mulSpectrums",
+    "mulTransposed",
+    "multicalib",
+    "ocl",
+    "optflow",
+    "pencilSketch",
+    "phaseCorrelate",
+    "phase_unwrapping",
+    "plot",
+    "pyrMeanShiftFiltering",
+    "quality",
+    "rapid",
+    "recoverPose",
+    "reg",
+    "reprojectImageTo3D",
+    "rgbd",
+    "saliency",
+    "seamlessClone",
+    "segmentation",
+    "selectROI",
+    "selectROIs",
+    "solveP3P",
+    "solvePnPGeneric",
+    "stereoCalibrate",
+    "stereoRectify",
+    "stereoRectifyUncalibrated",
+    "structured_light",
+    "stylization",
+    "surface_matching",
+    "text",
+    "textureFlattening",
+    "triangulatePoints",
+    "undistortPoints",
+    "utils",
+    "validateDisparity",
+    "videostab",
+    "wechat_qrcode",
+    "xfeatures2d",
+    "ximgproc",
+    "xphoto",
 });
 
 Diagnostic no_lock(const std::string& file, std::string why) {
@@ -54,8 +195,12 @@ bool is_file_name(const std::string& text) {
   return !text.empty() && text.front() != '.' && text.find_first_of("/\\:") == std::string::npos;
 }
 
-bool is_stand_in_name(const std::string& name) {
-  return std::find(kStandInNames.begin(), kStandInNames.end(), name) != kStandInNames.end();
+bool is_of_scipy(const std::string& name) {
+  return std::find(kScipyNames.begin(), kScipyNames.end(), name) != kScipyNames.end();
+}
+
+bool is_of_opencv(const std::string& name) {
+  return std::find(kNotOfOpenCv.begin(), kNotOfOpenCv.end(), name) == kNotOfOpenCv.end();
 }
 
 std::string known_project(const std::string& name, const PythonLibraries& libraries) {
@@ -170,13 +315,22 @@ std::vector<std::string> libraries_in_order(
   return order;
 }
 
-std::optional<bool> stand_in_has(std::string_view module, const std::vector<std::string>& names) {
-  if (module.substr(0, module.find('.')) != kStandIn) return std::nullopt;
+std::optional<bool> stand_in_has(std::string_view module, const std::vector<std::string>& names,
+                                 const std::vector<std::string>& attributes) {
   const std::string whole(module);
-  return is_stand_in_name(whole) &&
-         std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-           return name == "*" || name.starts_with('_') || is_stand_in_name(whole + "." + name);
-         });
+  const auto has_all = [&](const auto& is_there) {
+    const auto is_met = [&](const std::string& name) {
+      return name == "*" || name.starts_with('_') || is_there(name);
+    };
+    return std::all_of(names.begin(), names.end(), is_met) &&
+           std::all_of(attributes.begin(), attributes.end(), is_met);
+  };
+  const std::string_view top = module.substr(0, module.find('.'));
+  if (top == kScipy)
+    return is_of_scipy(whole) &&
+           has_all([&](const std::string& name) { return is_of_scipy(whole + "." + name); });
+  if (top != kOpenCv) return std::nullopt;
+  return (top == module || is_of_opencv(whole.substr(top.size() + 1))) && has_all(is_of_opencv);
 }
 
 }  // namespace ros2wasm

@@ -36,8 +36,9 @@ struct PythonLibraries {
 
 /// A part of a library that the embedded channel has under the library's name, for sites that need
 /// no more. Nothing: there is none for this module. `module` is "scipy.spatial.transform", `names`
-/// what is imported from it.
+/// what is imported from it, `attributes` what is used of it.
 [[nodiscard]] std::optional<bool> stand_in_has(std::string_view module,
-                                               const std::vector<std::string>& names);
+                                               const std::vector<std::string>& names,
+                                               const std::vector<std::string>& attributes = {});
 
 }  // namespace ros2wasm

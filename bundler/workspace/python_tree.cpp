@@ -8,7 +8,7 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// Compiled programs and what stands beside them.
+/// Compiled programs and what stands beside them. Modules may have such files as their data.
 bool is_for_compiled(const fs::path& path) {
   const std::string ending = path.extension().string();
   return ending == ".wasm" || ending == ".names" || ending == ".left_out" || ending == ".a";
@@ -28,8 +28,8 @@ Outcome<LeftOut> collect(const fs::path& prefix, const std::string& folder, Pyth
   for (const TreeEntry& entry : *tree) {
     const std::string path = folder + "/" + entry.path;
     const bool is_link = entry.kind == FileKind::kLink;
-    if ((!is_link && entry.kind != FileKind::kFile) || into.contains(path) || is_for_compiled(path))
-      continue;
+    const bool is_program = folder != kPythonModules && is_for_compiled(path);
+    if ((!is_link && entry.kind != FileKind::kFile) || into.contains(path) || is_program) continue;
     if (is_link && !is_installed_file(prefix, path)) {
       left_out.push_back(path + kLeadsElsewhere);
       continue;

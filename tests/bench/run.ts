@@ -18,6 +18,7 @@ import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchSoak } from './soak.ts';
 import { benchStart } from './site_start.ts';
+import { benchVision } from './vision.ts';
 import { benchWaits } from './waits.ts';
 import { benchWorkspace } from './workspace.ts';
 
@@ -53,6 +54,7 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   soak: benchSoak,
   solve: benchSolve,
   start: benchStart,
+  vision: benchVision,
   waits: benchWaits,
   workspace: benchWorkspace,
 };

@@ -44,7 +44,12 @@ interface Figure {
   readonly site: string;
   readonly until: string;
   peer(bytes: number): Promise<number>;
-  ours(line: Line): number;
+  ours(line: Line, place: Place): number;
+}
+
+/** A page's clock goes in steps of 5 or 100 us, which are longer than a round trip: there the mean is exact, and no median. */
+function middleTrip(line: Line, place: Place): number {
+  return line[place === 'Node.js' ? 'p50_us' : 'mean_us'] ?? Number.NaN;
 }
 
 class Series {
@@ -82,7 +87,7 @@ async function run(context: BenchContext, figure: Figure, state: State, recorded
         for (const line of lines) {
           const bytes = line['bytes'] ?? 0;
           const peer = peers.get(bytes);
-          if (peer !== undefined) series.add(`${place}, ${link} link, ${bytes} B`, figure.ours(line), peer);
+          if (peer !== undefined) series.add(`${place}, ${link} link, ${bytes} B`, figure.ours(line, place), peer);
         }
       }
     });
@@ -122,7 +127,7 @@ export async function benchWaits(context: BenchContext): Promise<void> {
       '{package: link_bench, executable: flooder, parameters: {sinks: 1, largest: 1000}}', `{package: link_bench, executable: sink, ${LARGEST}}`,
     ]);
     const figures: readonly Figure[] = [
-      { what: 'round trip', unit: 'us', site: trips, until: 'pinger: done', peer: peerRoundTrip, ours: (line) => line['p50_us'] ?? Number.NaN },
+      { what: 'round trip', unit: 'us', site: trips, until: 'pinger: done', peer: peerRoundTrip, ours: middleTrip },
       { what: 'throughput', unit: 'messages/s', site: flood, until: 'flooder: done', peer: peerThroughput, ours: (line) => line['per_second'] ?? Number.NaN },
     ];
     for (const figure of figures) {

@@ -78,7 +78,7 @@ class Walk {
     for (const PythonImport& one : python_imports(world_.channels.at(path), path)) {
       const std::string module = absolute(one.module, path);
       const std::string top = top_level(module);
-      if (!one.needed || is_python_module(top) || take_library(module, one.names)) continue;
+      if (!one.needed || is_python_module(top) || take_library(module, one)) continue;
       if (compiled_.contains(top)) {
         report_.compiled.insert(top);
         continue;
@@ -96,7 +96,7 @@ class Walk {
     if (module.empty() || module.starts_with('.'))
       return add(one, "`" + one.module + "` leads out of the package", {}, needed);
     const std::string top = top_level(module);
-    if (take_library(module, one.names)) return;
+    if (take_library(module, one)) return;
     if (compiled_.contains(top)) report_.compiled.insert(top);
     if (is_python_module(top) && !is_lacking_python_module(top))
       return tell_of_failing(one, module, path);
@@ -113,7 +113,7 @@ class Walk {
   }
 
   /// True for what comes from a library, and from nowhere else.
-  bool take_library(const std::string& module, const std::vector<std::string>& names) {
+  bool take_library(const std::string& module, const PythonImport& one) {
     const std::string top = top_level(module);
     const auto library = world_.libraries.find(top);
     if (library == world_.libraries.end()) return false;
@@ -121,7 +121,8 @@ class Walk {
       return find_file(files, top) || is_below(files, modules_ + top + "/");
     };
     if (is_in(world_.workspace) || is_in(world_.wheels)) return false;
-    if (is_in(world_.channels) && stand_in_has(module, names).value_or(true)) return false;
+    if (is_in(world_.channels) && stand_in_has(module, one.names, one.attributes).value_or(true))
+      return false;
     report_.libraries.insert(library->second);
     return true;
   }
@@ -300,7 +301,7 @@ std::set<std::string> compiled_modules(const PythonFiles& channels) {
   const std::string root = modules_folder();
   for (auto it = channels.lower_bound(root); it != channels.end() && it->first.starts_with(root);
        ++it) {
-    if (!it->first.ends_with(".so")) continue;
+    if (!it->first.ends_with(".so") && !it->first.ends_with(".wasm")) continue;
     const std::string below = it->first.substr(root.size());
     result.insert(below.substr(0, below.find_first_of("/.")));
   }

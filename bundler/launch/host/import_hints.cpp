@@ -57,7 +57,6 @@ constexpr auto kHints = std::to_array<Hint>({
     {"curses",
      "a node's console has no cursor that could be moved; `termios`, `tty` and `select` read "
      "single keys, and what is printed is shown line by line"},
-    {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
     {"dynamixel_sdk", kHardware},
     {"evdev", kHardware},
     {"face_recognition", kCompiled},
@@ -66,8 +65,8 @@ constexpr auto kHints = std::to_array<Hint>({
     {"gpiozero", kHardware},
     {"httpx", kNoRequests},
     {"image_geometry",
-     "it needs OpenCV, which is not there for the Python of sites; the projection is that of the "
-     "3x4 matrix `p` of sensor_msgs/msg/CameraInfo, which numpy multiplies"},
+     "the projection is that of the 3x4 matrix `p` of sensor_msgs/msg/CameraInfo, which numpy "
+     "multiplies; cv2 has `projectPoints` and `undistort`"},
     {"keyboard", kKeys},
     {"launch", kLaunch},
     {"launch_ros", kLaunch},

@@ -78,6 +78,17 @@ function startNothing(imports: WebAssembly.Imports): void {
   (imports['env'] as ModuleImports)['_emscripten_system'] = () => noSuchFunction;
 }
 
+/**
+ * Functions of C that compiled modules import and this interpreter does not have, so that a call would end the program. numpy
+ * asks for the callers of an expression when its arrays have 256 kB or more, to write the result into one of them. It finds
+ * none, and makes a new array.
+ */
+export const notOfPyodide: Readonly<Record<string, () => number>> = { backtrace: () => 0 };
+
+function addMissing(imports: WebAssembly.Imports): void {
+  Object.assign(imports['env'] as ModuleImports, notOfPyodide);
+}
+
 /** As the time zone database has it where people have no letters for a zone: "-03", "+0530". */
 function zoneName(minutesWest: number): string {
   if (minutesWest === 0) return 'UTC';
@@ -209,6 +220,7 @@ export async function openPyodide(options: PyodideOptions): Promise<LoadedPyodid
   const prepare = (imports: WebAssembly.Imports): void => {
     memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
     startNothing(imports);
+    addMissing(imports);
     nameZones(imports, memory);
     if (place !== undefined) followHost(imports, place, memory);
   };

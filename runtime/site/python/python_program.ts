@@ -16,6 +16,7 @@ import type { ProgramMemory } from '../program/program_memory.ts';
 import type { PythonParts } from './python_files.ts';
 import { type WatchedSystem, watchOutput } from './python_output.ts';
 import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
+import { OpenCv } from './opencv.ts';
 import { loadLibraries } from './python_libraries.ts';
 import { placeSources } from './python_sources.ts';
 import { Interrupts, interrupt, threadFunctions } from './python_threads.ts';
@@ -113,6 +114,27 @@ function copyOf(bytes: PyProxy): Uint8Array<ArrayBuffer> {
   }
 }
 
+/** For the module cv2: see OpenCv, which it opens first, with its WebAssembly. */
+function openCvModule(memory: () => Uint8Array): Record<string, unknown> {
+  let opened: OpenCv | undefined;
+  const cv = (): OpenCv => {
+    if (opened === undefined) throw new TypeError('cv2 is not open');
+    return opened;
+  };
+  return {
+    open: (wasm: PyProxy): void => {
+      opened = new OpenCv(copyOf(wasm), memory);
+    },
+    names: () => cv().names(),
+    call: (text: string) => cv().call(text),
+    fetch: (id: number, address: number): void => cv().fetch(id, address),
+    release: (id: number): void => cv().release(id),
+    decode: (address: number, length: number) => cv().decode(address, length),
+    encode: (ending: string, address: number, rows: number, cols: number, type: number, quality: number) =>
+      cv().encode(ending, address, rows, cols, type, quality),
+  };
+}
+
 /** The module `ros2wasm_host` of Python. */
 function hostModule(
   host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void, showOutput: () => void,
@@ -167,6 +189,7 @@ function hostModule(
     tell: host.tell,
     file_give: (path: string, bytes: PyProxy): void => host.give(path, copyOf(bytes)),
     address: (bytes: PyProxy): number => addressOf(bytes, buffers),
+    opencv: openCvModule(() => memory().u8),
   };
 }
 

@@ -14,6 +14,7 @@ import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
 import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
 import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
+import { useCvWindows } from './parts/use_cv_windows.ts';
 import { useFocus } from './parts/use_focus.ts';
 import { useLoaded } from './parts/use_loaded.ts';
 import { useLayout } from './parts/use_layout.ts';
@@ -46,6 +47,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   useEmbedTheme(embed, store, session.site.ui['theme']);
   useNodeNews(session, announce);
   useTaskNews(session, store, announce);
+  useCvWindows(session, embed === null, (panel, state) => void control.open(null, panel, state));
   // Also while no panel shows them: a topic opened later has its last message.
   useEffect(() => session.onTopics(() => undefined), [session]);
 

@@ -2,8 +2,10 @@
 // images, saved as PNG. State: {topic, least, most}; a bound that is missing is taken of each image.
 
 import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import type { PagePublisher } from '../../contract/session.ts';
 import type { Size } from '../model/graph_layout.ts';
 import { pixelWords } from '../model/image_encodings.ts';
+import { isWindow, keyCode } from '../model/cv_windows.ts';
 import type { RawImage } from '../model/image_encodings.ts';
 import { readRange } from '../model/image_pixels.ts';
 import type { ImageRange, WantedRange } from '../model/image_pixels.ts';
@@ -20,6 +22,9 @@ import { texts } from '../texts.ts';
 import { imageTexts } from '../texts_image.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
+
+/** A key of a window of cv2. */
+const kKey = 'std_msgs/msg/Int32';
 
 export function ImagePanel({ session, state, setState, announce }: PanelProps) {
   const topics = useTopics(session)
@@ -72,6 +77,25 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
   };
   const wordsAt = (x: number, y: number): string =>
     raw.current === null ? drawnWords(canvas.current, x, y) : pixelWords(raw.current, x, y);
+  const keys = useRef<PagePublisher | null>(null);
+  useEffect(() => {
+    if (!isWindow(topic)) return undefined;
+    const publisher = session.node().publisher(`${topic}/key`, kKey);
+    keys.current = publisher.problem === undefined ? publisher : null;
+    return () => {
+      keys.current = null;
+      publisher.close();
+    };
+  }, [session, topic]);
+  /** Tab leaves the picture, as everywhere. */
+  const takesKey = (key: string): boolean => {
+    const code = key === 'Tab' ? undefined : keyCode(key);
+    if (keys.current === null || code === undefined || codec === null || typeof codec === 'string') return false;
+    const encoded = codec.encode(kKey, { data: code });
+    if (encoded.kind !== 'bytes') return false;
+    keys.current.publish(encoded.bytes);
+    return true;
+  };
   const save = (): void =>
     canvas.current?.toBlob((blob) => {
       if (blob === null) return;
@@ -107,7 +131,14 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
       {size === null && problem === '' ? (
         <p class="hint">{topic === '' ? imageTexts.noTopic : panelTexts.paths.waiting}</p>
       ) : null}
-      <PictureView canvas={canvas} size={size} label={imageTexts.of(topic, facts)} wordsAt={wordsAt} announce={announce} />
+      <PictureView
+        canvas={canvas}
+        size={size}
+        label={imageTexts.of(topic, facts)}
+        wordsAt={wordsAt}
+        announce={announce}
+        takesKey={takesKey}
+      />
     </PanelFrame>
   );
 }

@@ -18,6 +18,8 @@ export interface PictureViewProps {
   /** The value at a pixel, in words. Empty outside. */
   readonly wordsAt: (x: number, y: number) => string;
   readonly announce: (text: string) => void;
+  /** Somebody else who wants a key first; true: it is taken. */
+  readonly takesKey?: (key: string) => boolean;
 }
 
 const kZoom = 1.5;
@@ -33,7 +35,7 @@ const kSteps: ReadonlyMap<string, readonly [number, number]> = new Map([
   ['ArrowDown', [0, 1]],
 ]);
 
-export function PictureView({ canvas, size, label, wordsAt, announce }: PictureViewProps) {
+export function PictureView({ canvas, size, label, wordsAt, announce, takesKey }: PictureViewProps) {
   const host = useRef<HTMLDivElement>(null);
   const { width, height } = size ?? { width: 1, height: 1 };
   const bounds = useMemo(() => ({ x: width / 2, y: height / 2, width, height }), [width, height]);
@@ -74,6 +76,10 @@ export function PictureView({ canvas, size, label, wordsAt, announce }: PictureV
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (takesKey?.(event.key) === true) {
+      event.preventDefault();
+      return;
+    }
     const direction = kSteps.get(event.key);
     if (direction !== undefined) {
       if (event.shiftKey) control.move({ x: -kMove * direction[0], y: -kMove * direction[1] });

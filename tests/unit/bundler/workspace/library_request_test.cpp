@@ -85,6 +85,20 @@ TEST_F(LibraryRequests, LeavesTheChannelsPartWhereItIsEnough) {
   EXPECT_EQ(asked(), (Names{"openblas", "scipy", "channel numpy"}));
 }
 
+TEST_F(LibraryRequests, LeavesTheChannelsOpenCvWhereItIsEnough) {
+  known_.names = {"numpy", "py-opencv"};
+  import("cv2");
+  import("cv2.aruco");
+  EXPECT_EQ(asked(), Names{});
+  packages_.front().python_uses.back().module = "cv2";
+  packages_.front().python_uses.back().attributes = {"cvtColor", "findContours"};
+  EXPECT_EQ(asked(), Names{});
+  packages_.front().python_uses.back().attributes = {"cornerSubPix", "cvtColor"};
+  EXPECT_EQ(asked(), (Names{"opencv-python", "channel numpy"}));
+  packages_.front().python_uses.back() = {.module = "cv2", .names = {"dnn"}, .span = {}};
+  EXPECT_EQ(asked(), (Names{"opencv-python", "channel numpy"}));
+}
+
 TEST_F(LibraryRequests, TakesAllOfALibraryThatAnotherNeeds) {
   import("skimage");
   EXPECT_EQ(asked(),

@@ -43,6 +43,18 @@ TEST(PythonImports, KnowsWhatAFileCanDoWithout) {
             (Lines{"?a", "?b", "c", "?d", "?e", "g", "?i", "j", "?k", "l", "m"}));
 }
 
+TEST(PythonImports, KnowsWhatIsUsedOfAWholeModule) {
+  const auto found = python_imports(
+      "import a\nimport b as c, d.e\nfrom f import g\nx = a.one(c.two, b.three)\n"
+      "def h():\n  return q.a.four + a.five.six + 'a.seven'  # a.eight\n  a.one()\n",
+      "a.py");
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[0].attributes, (Lines{"five", "one"}));
+  EXPECT_EQ(found[1].attributes, Lines{"two"});
+  EXPECT_TRUE(found[2].attributes.empty());
+  EXPECT_TRUE(found[3].attributes.empty());
+}
+
 TEST(PythonImports, KnowsThePlace) {
   const auto found = python_imports("x = 1\nfrom  geometry_msgs.msg  import Twist\n", "src/a.py");
   ASSERT_EQ(found.size(), 1U);

@@ -240,9 +240,19 @@ void notice_stop_request() {
 
 }  // namespace detail
 
-contexts::DefaultContext::SharedPtr contexts::get_global_default_context() {
-  static DefaultContext::SharedPtr context = std::make_shared<DefaultContext>();
+namespace {
+
+/// Nobody counts one more owner here, which costs two atomic changes.
+const contexts::DefaultContext::SharedPtr& default_context() {
+  static const contexts::DefaultContext::SharedPtr context =
+      std::make_shared<contexts::DefaultContext>();
   return context;
+}
+
+}  // namespace
+
+contexts::DefaultContext::SharedPtr contexts::get_global_default_context() {
+  return default_context();
 }
 
 void init(int argc, char const* const* argv, const InitOptions& init_options,
@@ -283,7 +293,7 @@ std::vector<std::string> init_and_remove_ros_arguments(int argc, char const* con
 }
 
 bool ok(Context::SharedPtr context) {
-  return default_if_null(std::move(context))->is_valid();
+  return context ? context->is_valid() : default_context()->is_valid();
 }
 
 bool shutdown(Context::SharedPtr context, const std::string& reason) {

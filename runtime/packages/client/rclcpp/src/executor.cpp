@@ -323,8 +323,8 @@ void Executor::add_ready(size_t entry) {
 bool Executor::take_ready(AnyExecutable& any_executable) {
   while (next_ready_ < ready_.size()) {
     const Entry& entry = entries_[ready_[next_ready_++]];
-    const auto group = entry.group.lock();
-    const auto entity = entry.entity.lock();
+    auto group = entry.group.lock();
+    auto entity = entry.entity.lock();
     if (!group || !entity) {
       continue;
     }
@@ -339,9 +339,9 @@ bool Executor::take_ready(AnyExecutable& any_executable) {
       }
       continue;
     }
-    any_executable.entity = entity;
+    any_executable.entity = std::move(entity);
     any_executable.data = std::move(data);
-    any_executable.callback_group = exclusive ? group : nullptr;
+    any_executable.callback_group = exclusive ? std::move(group) : nullptr;
     any_executable.seekers = &seekers_;
     return true;
   }

@@ -1,10 +1,11 @@
 // Measures round trips of several sizes, one message under way at a time, and of each the way there: from `publish` to
 // the callback in the ponger, whose steady clock is the same. One JSON line per size: bytes of the payload, round trips,
-// medians and 99th percentiles in microseconds. Parameter `largest`: sizes above it are skipped.
+// medians, means and 99th percentiles in microseconds; the mean is exact where the clock has steps. Parameter `largest`: sizes above it are skipped.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 #include "rclcpp/rclcpp.hpp"
@@ -61,8 +62,9 @@ int main(int argc, char ** argv)
     const std::size_t half = trips.size() / 2;
     const std::size_t most = trips.size() * 99 / 100;
     std::printf(
-      "{\"bytes\": %zu, \"round_trips\": %zu, \"p50_us\": %.2f, \"p99_us\": %.2f, \"way_p50_us\": %.2f, \"way_p99_us\": %.2f}\n",
-      size, trips.size(), trips[half], trips[most], ways[half], ways[most]);
+      "{\"bytes\": %zu, \"round_trips\": %zu, \"mean_us\": %.2f, \"p50_us\": %.2f, \"p99_us\": %.2f, \"way_p50_us\": %.2f, \"way_p99_us\": %.2f}\n",
+      size, trips.size(), std::accumulate(trips.begin(), trips.end(), 0.0) / static_cast<double>(trips.size()), trips[half], trips[most],
+      ways[half], ways[most]);
     std::fflush(stdout);
   }
   std::puts("pinger: done");

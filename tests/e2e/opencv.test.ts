@@ -105,6 +105,10 @@ def main():
     node = Node('watcher')
     picture = np.zeros((48, 64, 3), np.uint8)
     step = 0
+    say = node.get_logger().info
+    cv2.namedWindow('My mask')
+    cv2.createTrackbar('Hue', 'My mask', 30, 179, lambda value: say(f'hue {value} {cv2.getTrackbarPos("Hue", "My mask")}'))
+    cv2.setMouseCallback('My mask', lambda event, x, y, flags, param: event == cv2.EVENT_LBUTTONDOWN and say(f'{param} {x} {y} {flags}'), 'click')
     while rclpy.ok():
         picture[:] = (0, 128, 255)
         cv2.putText(picture, str(step), (5, 30), cv2.FONT_HERSHEY_SIMPLEX, 0.8, (255, 255, 255), 2)
@@ -180,7 +184,7 @@ test('cv_bridge gives arrays of images and images of arrays', watchdog, async ()
   ]);
 });
 
-// Compatibility, works: Python: `cv2.imshow` opens an Image panel, and `cv2.waitKey` gets the keys that are pressed in it
+// Compatibility, works: Python: `cv2.imshow` opens an Image panel, with keys for `cv2.waitKey`, trackbars and the mouse
 test('in Chromium cv2 gives the same, a window opens a panel, and its keys come to waitKey', watchdog, async () => {
   const browser = await chromium.launch(chromiumOptions());
   try {
@@ -192,11 +196,18 @@ test('in Chromium cv2 gives the same, a window opens a panel, and its keys come 
       assert.equal(await page.locator('.panel-image .image-topic').inputValue(), '/cv2/My_mask');
       await picture.focus();
       await page.keyboard.press('a');
+      const hue = page.locator('.panel-image').getByRole('slider', { name: 'Hue' });
+      assert.equal(await hue.inputValue(), '30');
+      await hue.press('ArrowRight');
+      await picture.click();
+      await picture.focus();
       await page.screenshot({ path: join(OUTPUT, 'cv2_window.png') });
       await page.keyboard.press('q');
       await page.locator('.panel-nodes').getByText('Finished, code 0').nth(1).waitFor();
       await page.getByRole('tab', { name: 'Consoles' }).click();
       await shows(page, 'key 97');
+      await shows(page, 'hue 31 31');
+      await page.waitForFunction(() => /click (2[4-9]|3\d) (1[5-9]|2\d|3[0-3]) 1/.test(document.body.innerText));
       await shows(page, 'key 113');
       await page.close();
       await shows(await open('?nodes=looks-1'), last);

@@ -1,7 +1,8 @@
-// Windows of cv2: a Python node publishes what imshow() shows on /cv2/NAME, and waits for keys on /cv2/NAME/key (see
-// runtime/packages/vendor/py_opencv/cv2/_windows.py).
+// Windows of cv2: a Python node publishes what imshow() shows on /cv2/NAME and its trackbars on /cv2/NAME/controls, and waits
+// for keys, trackbars and the mouse on /cv2/NAME/input (see runtime/packages/vendor/py_opencv/cv2/_windows.py).
 
 import type { TopicView } from '../../contract/session.ts';
+import { flagMember, member, numberMember, textMember } from './json.ts';
 
 const kTopic = /^\/cv2\/\w+$/;
 const kImage = 'sensor_msgs/msg/Image';
@@ -25,4 +26,63 @@ const kNamed: ReadonlyMap<string, number> = new Map([
 export function keyCode(key: string): number | undefined {
   const code = key.length === 1 ? key.charCodeAt(0) : kNamed.get(key);
   return code !== undefined && code <= 255 ? code : undefined;
+}
+
+export interface Trackbar {
+  readonly name: string;
+  readonly value: number;
+  /** The largest value; the least is 0. */
+  readonly count: number;
+}
+
+export interface WindowControls {
+  readonly trackbars: readonly Trackbar[];
+  /** The program asks for the mouse. */
+  readonly mouse: boolean;
+}
+
+export const kNoControls: WindowControls = { trackbars: [], mouse: false };
+const kMostTrackbars = 50;
+const kLargest = 1e9;
+
+/** As a node has published it; the node may be anybody's. */
+export function readControls(text: string): WindowControls {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return kNoControls;
+  }
+  const bars = member(value, 'trackbars');
+  return {
+    trackbars: (Array.isArray(bars) ? (bars as readonly unknown[]) : []).slice(0, kMostTrackbars).map((bar) => {
+      const count = Math.round(numberMember(bar, 'count', 0, kLargest, 0));
+      return { name: textMember(bar, 'name'), value: Math.round(numberMember(bar, 'value', 0, count, 0)), count };
+    }),
+    mouse: flagMember(value, 'mouse', false),
+  };
+}
+
+export type PointerKind = 'move' | 'down' | 'up' | 'double';
+
+/** Buttons of the page, by OpenCV's numbers of events that a button begins with. */
+const kButtons: readonly Readonly<Record<Exclude<PointerKind, 'move'>, number>>[] = [
+  { down: 1, up: 4, double: 7 },
+  { down: 3, up: 6, double: 9 },
+  { down: 2, up: 5, double: 8 },
+];
+
+export interface PointerKeys {
+  readonly button: number;
+  readonly buttons: number;
+  readonly ctrlKey: boolean;
+  readonly shiftKey: boolean;
+  readonly altKey: boolean;
+}
+
+/** Event, place and flags, as a mouse callback gets them; undefined: a button that OpenCV does not know. */
+export function mouseEvent(kind: PointerKind, x: number, y: number, keys: PointerKeys): readonly number[] | undefined {
+  const event = kind === 'move' ? 0 : kButtons[keys.button]?.[kind];
+  const flags = (keys.buttons & 7) | (keys.ctrlKey ? 8 : 0) | (keys.shiftKey ? 16 : 0) | (keys.altKey ? 32 : 0);
+  return event === undefined ? undefined : [event, x, y, flags];
 }

@@ -2,15 +2,16 @@
 // images, saved as PNG. State: {topic, least, most}; a bound that is missing is taken of each image.
 
 import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
-import type { PagePublisher } from '../../contract/session.ts';
 import type { Size } from '../model/graph_layout.ts';
 import { pixelWords } from '../model/image_encodings.ts';
-import { isWindow, keyCode } from '../model/cv_windows.ts';
+import { keyCode, mouseEvent } from '../model/cv_windows.ts';
+import type { PointerKeys, PointerKind } from '../model/cv_windows.ts';
 import type { RawImage } from '../model/image_encodings.ts';
 import { readRange } from '../model/image_pixels.ts';
 import type { ImageRange, WantedRange } from '../model/image_pixels.ts';
 import { textMember } from '../model/json.ts';
 import { IconButton } from '../parts/button.tsx';
+import { CvTrackbars, useCvWindow } from '../parts/cv_window.tsx';
 import { download } from '../parts/download.ts';
 import { drawImages, isImage } from '../parts/image_drawing.ts';
 import type { ImageDrawing } from '../parts/image_drawing.ts';
@@ -22,9 +23,6 @@ import { texts } from '../texts.ts';
 import { imageTexts } from '../texts_image.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
-
-/** A key of a window of cv2. */
-const kKey = 'std_msgs/msg/Int32';
 
 export function ImagePanel({ session, state, setState, announce }: PanelProps) {
   const topics = useTopics(session)
@@ -77,24 +75,15 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
   };
   const wordsAt = (x: number, y: number): string =>
     raw.current === null ? drawnWords(canvas.current, x, y) : pixelWords(raw.current, x, y);
-  const keys = useRef<PagePublisher | null>(null);
-  useEffect(() => {
-    if (!isWindow(topic)) return undefined;
-    const publisher = session.node().publisher(`${topic}/key`, kKey);
-    keys.current = publisher.problem === undefined ? publisher : null;
-    return () => {
-      keys.current = null;
-      publisher.close();
-    };
-  }, [session, topic]);
+  const cvWindow = useCvWindow(session, codec, topic);
   /** Tab leaves the picture, as everywhere. */
   const takesKey = (key: string): boolean => {
     const code = key === 'Tab' ? undefined : keyCode(key);
-    if (keys.current === null || code === undefined || codec === null || typeof codec === 'string') return false;
-    const encoded = codec.encode(kKey, { data: code });
-    if (encoded.kind !== 'bytes') return false;
-    keys.current.publish(encoded.bytes);
-    return true;
+    return code !== undefined && cvWindow.send({ key: code });
+  };
+  const takesPointer = (kind: PointerKind, x: number, y: number, event: PointerKeys): boolean => {
+    const mouse = cvWindow.controls.mouse ? mouseEvent(kind, x, y, event) : undefined;
+    return mouse !== undefined && cvWindow.send({ mouse });
   };
   const save = (): void =>
     canvas.current?.toBlob((blob) => {
@@ -127,6 +116,7 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
       }
     >
       {spread === null ? null : <RangeRow wanted={wanted} range={spread} change={change} />}
+      <CvTrackbars {...cvWindow} />
       {problem === '' ? null : <p class="hint">{problem}</p>}
       {size === null && problem === '' ? (
         <p class="hint">{topic === '' ? imageTexts.noTopic : panelTexts.paths.waiting}</p>
@@ -138,6 +128,7 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
         wordsAt={wordsAt}
         announce={announce}
         takesKey={takesKey}
+        takesPointer={takesPointer}
       />
     </PanelFrame>
   );

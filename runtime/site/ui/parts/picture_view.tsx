@@ -5,6 +5,7 @@ import { useMemo, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
 import { kPictureLimits } from '../model/camera.ts';
 import type { Camera } from '../model/camera.ts';
+import type { PointerKeys, PointerKind } from '../model/cv_windows.ts';
 import type { Point, Size } from '../model/graph_layout.ts';
 import { imageTexts } from '../texts_image.ts';
 import { IconButton } from './button.tsx';
@@ -20,6 +21,8 @@ export interface PictureViewProps {
   readonly announce: (text: string) => void;
   /** Somebody else who wants a key first; true: it is taken. */
   readonly takesKey?: (key: string) => boolean;
+  /** The same of the pointer over a pixel. */
+  readonly takesPointer?: (kind: PointerKind, x: number, y: number, event: PointerKeys) => boolean;
 }
 
 const kZoom = 1.5;
@@ -35,7 +38,7 @@ const kSteps: ReadonlyMap<string, readonly [number, number]> = new Map([
   ['ArrowDown', [0, 1]],
 ]);
 
-export function PictureView({ canvas, size, label, wordsAt, announce, takesKey }: PictureViewProps) {
+export function PictureView({ canvas, size, label, wordsAt, announce, takesKey, takesPointer }: PictureViewProps) {
   const host = useRef<HTMLDivElement>(null);
   const { width, height } = size ?? { width: 1, height: 1 };
   const bounds = useMemo(() => ({ x: width / 2, y: height / 2, width, height }), [width, height]);
@@ -92,6 +95,10 @@ export function PictureView({ canvas, size, label, wordsAt, announce, takesKey }
     else return;
     event.preventDefault();
   };
+  const taken = (kind: PointerKind, event: MouseEvent): boolean => {
+    const { x, y } = pixelAt(event);
+    return takesPointer?.(kind, x, y, event) === true;
+  };
   const told = words(near) || words(marked);
 
   return (
@@ -102,12 +109,17 @@ export function PictureView({ canvas, size, label, wordsAt, announce, takesKey }
         aria-label={imageTexts.view}
         tabIndex={0}
         ref={host}
-        onPointerDown={control.onPointerDown}
+        onPointerDown={(event) => {
+          if (!taken('down', event)) control.onPointerDown(event);
+        }}
         onPointerMove={(event) => {
-          control.onPointerMove(event);
+          if (!taken('move', event)) control.onPointerMove(event);
           setNear(pixelAt(event));
         }}
-        onPointerUp={control.onPointerEnd}
+        onPointerUp={(event) => {
+          if (!taken('up', event)) control.onPointerEnd(event);
+        }}
+        onDblClick={(event) => void taken('double', event)}
         onPointerCancel={control.onPointerEnd}
         onPointerLeave={() => setNear(null)}
         onClick={(event) => {

@@ -1,9 +1,11 @@
 """Windows: a page has none of programs, so what imshow() shows is published, and the page's Image panel shows it.
 
-The picture of a window NAME is on the topic /cv2/NAME, the newest one for whoever comes later; keys that are pressed in
-its panel come on /cv2/NAME/key. Cameras and videos are not there.
+The picture of a window NAME is on the topic /cv2/NAME, the newest one for whoever comes later. Its trackbars, and
+whether it asks for the mouse, are on /cv2/NAME/controls; keys, trackbars and the mouse of the panel come on
+/cv2/NAME/input. Both are JSON in std_msgs/msg/String. Cameras and videos are not there.
 """
 import collections
+import json
 import re
 import sys
 import time
@@ -12,64 +14,115 @@ import numpy
 from cv2._call import _array, error
 
 NAMES_OF_TYPES = {1: 'mono8', 3: 'bgr8', 4: 'bgra8'}
-#: How long one look for a key sleeps, in seconds.
+#: How long one look for events sleeps, in seconds.
 LOOK = 0.05
 
 
-class _Windows:
-    def __init__(self):
-        self.node = None
-        self.executor = None
-        self.keys = collections.deque(maxlen=100)
-        self.publishers = {}
+class _Window:
+    def __init__(self, desk, name):
+        from rclpy.qos import DurabilityPolicy, QoSProfile
+        from sensor_msgs.msg import Image
+        from std_msgs.msg import String
+        self.desk = desk
+        self.name = name
+        #: Value, largest value and callback, by name.
         self.trackbars = {}
+        #: The callback of the mouse and what it gets besides.
+        self.mouse = None
+        words = re.sub(r'\W+', '_', str(name)).strip('_')
+        topic = '/cv2/' + (words if words[:1].isalpha() else 'window_' + words).rstrip('_')
+        newest = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.pictures = desk.node.create_publisher(Image, topic, newest)
+        self.controls = desk.node.create_publisher(String, topic + '/controls', newest)
+        self.inputs = desk.node.create_subscription(String, topic + '/input', self.take, 100)
+        self.tell()
 
-    def publisher(self, name):
-        if name not in self.publishers:
-            import rclpy
-            from rclpy.qos import DurabilityPolicy, QoSProfile
-            from sensor_msgs.msg import Image
-            from std_msgs.msg import Int32
-            if not rclpy.ok():
-                rclpy.init()
-            if self.node is None:
-                from rclpy.executors import SingleThreadedExecutor
-                self.node = rclpy.create_node('_cv2_windows', start_parameter_services=False, enable_rosout=False)
-                self.executor = SingleThreadedExecutor()
-                self.executor.add_node(self.node)
-            words = re.sub(r'\W+', '_', str(name)).strip('_')
-            topic = '/cv2/' + (words if words[:1].isalpha() else 'window_' + words).rstrip('_')
-            qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-            self.publishers[name] = self.node.create_publisher(Image, topic, qos)
-            self.node.create_subscription(Int32, topic + '/key', lambda message: self.keys.append(message.data), 10)
-        return self.publishers[name]
+    def tell(self):
+        from std_msgs.msg import String
+        bars = [{'name': name, 'value': bar[0], 'count': bar[1]} for name, bar in self.trackbars.items()]
+        self.controls.publish(String(data=json.dumps({'trackbars': bars, 'mouse': self.mouse is not None})))
 
-    def wait(self, seconds):
-        """Until a key comes, or for as long."""
-        import rclpy
-        if self.executor is None or not rclpy.ok():
-            time.sleep(seconds)
-        else:
-            self.executor.spin_once(timeout_sec=seconds)
+    def take(self, message):
+        """An event of the panel. Another program may have sent it."""
+        try:
+            event = json.loads(message.data)
+            if 'key' in event:
+                self.desk.keys.append(int(event['key']) & 0xFF)
+            elif 'trackbar' in event:
+                self.move(event['trackbar'], int(event['value']))
+            elif 'mouse' in event and self.mouse is not None:
+                kind, x, y, flags = (int(one) for one in event['mouse'])
+                callback, param = self.mouse
+                self.desk.later.append(lambda: callback(kind, x, y, flags, param))
+        except (KeyError, TypeError, ValueError):
+            return
 
-    def show(self, name, picture):
+    def move(self, name, value):
+        bar = self.trackbars.get(name)
+        value = None if bar is None else max(0, min(value, bar[1]))
+        if bar is None or bar[0] == value:
+            return
+        bar[0] = value
+        self.desk.later.append(lambda: bar[2](value))
+
+    def show(self, picture):
         from sensor_msgs.msg import Image
         message = Image()
-        message.header.frame_id = str(name)
+        message.header.frame_id = str(self.name)
         message.height, message.width = picture.shape[:2]
         channels = picture.shape[2] if picture.ndim > 2 else 1
         message.encoding = NAMES_OF_TYPES[channels]
         message.step = message.width * channels
         message.data = picture.tobytes()
-        self.publisher(name).publish(message)
+        self.pictures.publish(message)
+
+    def close(self):
+        for publisher in (self.pictures, self.controls):
+            self.desk.node.destroy_publisher(publisher)
+        self.desk.node.destroy_subscription(self.inputs)
+
+
+class _Desk:
+    """All windows of the program, and the node that they publish by."""
+
+    def __init__(self):
+        self.node = None
+        self.executor = None
+        self.keys = collections.deque(maxlen=100)
+        #: Callbacks of the program: they are called by waitKey(), outside of the executor.
+        self.later = collections.deque(maxlen=1000)
+        self.windows = {}
+
+    def window(self, name):
+        if name not in self.windows:
+            import rclpy
+            from rclpy.executors import SingleThreadedExecutor
+            if not rclpy.ok():
+                rclpy.init()
+            if self.node is None:
+                self.node = rclpy.create_node('_cv2_windows', start_parameter_services=False, enable_rosout=False)
+                self.executor = SingleThreadedExecutor()
+                self.executor.add_node(self.node)
+            self.windows[name] = _Window(self, name)
+        return self.windows[name]
+
+    def wait(self, seconds):
+        """Until something comes, or for as long."""
+        import rclpy
+        if self.executor is None or not rclpy.ok():
+            time.sleep(seconds)
+        else:
+            self.executor.spin_once(timeout_sec=seconds)
+        while self.later:
+            self.later.popleft()()
 
     def close(self, name):
-        publisher = self.publishers.pop(name, None)
-        if publisher is not None:
-            self.node.destroy_publisher(publisher)
+        window = self.windows.pop(name, None)
+        if window is not None:
+            window.close()
 
 
-_windows = _Windows()
+_desk = _Desk()
 
 
 def _shown(picture):
@@ -89,59 +142,64 @@ def imshow(winname, mat):
             -215, 'imshow')
     if picture.ndim > 2 and picture.shape[2] not in NAMES_OF_TYPES:
         raise error('OpenCV(4.13.0) error: (-215:Assertion failed) a picture has 1, 3 or 4 channels', -215, 'imshow')
-    _windows.show(winname, _shown(picture))
+    _desk.window(winname).show(_shown(picture))
 
 
 def waitKey(delay=0):
     """-1: no key came in time. With a delay of 0 it waits until one comes, or the program is stopped."""
     end = time.monotonic() + delay / 1000
-    while not _windows.keys:
+    while not _desk.keys:
         left = LOOK if delay <= 0 else end - time.monotonic()
         if left <= 0:
             return -1
-        _windows.wait(min(left, LOOK))
-    return _windows.keys.popleft()
+        _desk.wait(min(left, LOOK))
+    return _desk.keys.popleft()
 
 
 waitKeyEx = waitKey
 
 
 def pollKey():
-    _windows.wait(0)
-    return _windows.keys.popleft() if _windows.keys else -1
+    _desk.wait(0)
+    return _desk.keys.popleft() if _desk.keys else -1
 
 
 def namedWindow(winname, flags=1):
-    """It opens with its first picture."""
+    _desk.window(winname)
 
 
 def destroyWindow(winname):
-    _windows.close(winname)
+    _desk.close(winname)
 
 
 def destroyAllWindows():
-    for name in list(_windows.publishers):
-        _windows.close(name)
+    for name in list(_desk.windows):
+        _desk.close(name)
 
 
 def createTrackbar(trackbarName, windowName, value, count, onChange):
-    _windows.trackbars[windowName, trackbarName] = [int(value), int(count), onChange]
+    window = _desk.window(windowName)
+    window.trackbars[trackbarName] = [max(0, min(int(value), int(count))), int(count), onChange]
+    window.tell()
 
 
 def getTrackbarPos(trackbarname, winname):
-    bar = _windows.trackbars.get((winname, trackbarname))
+    window = _desk.windows.get(winname)
+    bar = None if window is None else window.trackbars.get(trackbarname)
     return -1 if bar is None else bar[0]
 
 
 def setTrackbarPos(trackbarname, winname, pos):
-    bar = _windows.trackbars.get((winname, trackbarname))
-    if bar is not None and bar[0] != pos:
-        bar[0] = max(0, min(int(pos), bar[1]))
-        bar[2](bar[0])
+    window = _desk.windows.get(winname)
+    if window is not None and trackbarname in window.trackbars:
+        window.move(trackbarname, int(pos))
+        window.tell()
 
 
 def setMouseCallback(windowName, onMouse, param=None):
-    """No window has a mouse."""
+    window = _desk.window(windowName)
+    window.mouse = (onMouse, param)
+    window.tell()
 
 
 def moveWindow(winname, x, y):
@@ -161,7 +219,7 @@ def setWindowTitle(winname, title):
 
 
 def getWindowProperty(winname, prop_id):
-    return 1.0 if winname in _windows.publishers else -1.0
+    return 1.0 if winname in _desk.windows else -1.0
 
 
 class VideoCapture:

@@ -12,9 +12,11 @@ export interface Picture {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** Upper bound of the pixels of a JPEG file, in millions, and of its memory in MB. */
-const mostOfJpeg = { maxResolutionInMP: 100, maxMemoryUsageInMB: 1024 };
 const mostPixels = 100e6;
+/** Millions of pixels, and MB of memory. */
+const mostOfJpeg = { maxResolutionInMP: mostPixels / 1e6, maxMemoryUsageInMB: 1024 };
+/** Where a PNG file says how wide it is; the height follows. Both are words of four bytes. */
+const sizeOfPng = 16;
 
 /** Exchanges red and blue. */
 function turned<Pixels extends Uint8Array | Uint16Array>(pixels: Pixels, channels: number): Pixels {
@@ -28,8 +30,10 @@ function bytesOf(pixels: Uint8Array | Uint16Array): Uint8Array<ArrayBuffer> {
 }
 
 function fromPng(file: Uint8Array<ArrayBuffer>): Picture {
+  const head = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  // Before anything is unpacked: a small file can hold a huge picture.
+  if (head.getUint32(sizeOfPng) * head.getUint32(sizeOfPng + 4) > mostPixels) throw new RangeError('the picture is too large');
   const { width, height, data, depth, channels, palette } = decodePng(file);
-  if (width * height > mostPixels) throw new RangeError('the picture is too large');
   if (palette !== undefined) {
     const colors = Uint8Array.from(data as Uint8Array, (index) => index);
     const pixels = new Uint8Array(width * height * 3);

@@ -217,6 +217,25 @@ def features():
 
 
 @look
+def blobs():
+    picture = np.full((120, 160), 255, 'uint8')
+    for x, y, radius in ((40, 40, 12), (100, 30, 8), (80, 90, 20)):
+        cv2.circle(picture, (x, y), radius, 0, -1)
+    usual = cv2.SimpleBlobDetector_create().detect(picture)
+    params = cv2.SimpleBlobDetector_Params()
+    params.filterByArea = True
+    params.minArea = 300
+    params.maxArea = 20000
+    params.filterByCircularity = True
+    params.minCircularity = 0.1
+    found = cv2.SimpleBlobDetector_create(params).detect(picture)
+    drawn = cv2.drawKeypoints(picture, found, np.array([]), (0, 0, 255), cv2.DRAW_MATCHES_FLAGS_DRAW_RICH_KEYPOINTS)
+    places = [sorted([round(one.pt[0]), round(one.pt[1]), round(one.size)] for one in each) for each in (usual, found)]
+    return (places,
+            params.minThreshold, params.filterByColor, drawn.shape, cv2.error.__module__, type(found[0]).__module__)
+
+
+@look
 def flow():
     moved = np.roll(GRAY, 3, axis=1)
     points = np.float32([[[40, 22]], [[110, 16]], [[60, 80]]])

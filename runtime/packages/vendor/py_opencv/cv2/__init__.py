@@ -8,7 +8,9 @@ from cv2._call import CONSTANTS as _CONSTANTS
 from cv2._call import FUNCTIONS as _FUNCTIONS
 from cv2._call import DMatch, KeyPoint, error  # noqa: F401
 from cv2._call import ask as _ask
+from cv2._call import ask_object as _ask_object
 from cv2._call import make as _make
+from cv2._call import wrap as _wrap
 from cv2 import aruco  # noqa: F401
 from cv2._calibrate import calibrate as _calibrate
 from cv2._codecs import haveImageReader, haveImageWriter, imdecode, imencode, imread, imwrite  # noqa: F401
@@ -40,7 +42,7 @@ EVENT_FLAG_CTRLKEY, EVENT_FLAG_SHIFTKEY, EVENT_FLAG_ALTKEY = 8, 16, 32
 WND_PROP_FULLSCREEN, WND_PROP_AUTOSIZE, WND_PROP_ASPECT_RATIO, WND_PROP_VISIBLE = 0, 1, 2, 4
 CAP_PROP_POS_MSEC, CAP_PROP_POS_FRAMES, CAP_PROP_FRAME_WIDTH, CAP_PROP_FRAME_HEIGHT, CAP_PROP_FPS = 0, 1, 3, 4, 5
 CAP_PROP_FOURCC, CAP_PROP_FRAME_COUNT, CAP_PROP_BRIGHTNESS, CAP_PROP_BUFFERSIZE, CAP_PROP_AUTOFOCUS = 6, 7, 10, 38, 39
-CAP_ANY, CAP_V4L, CAP_V4L2, CAP_GSTREAMER, CAP_FFMPEG, CAP_DSHOW = 0, 200, 200, 1800, 1900, 700
+CAP_ANY, CAP_V4L, CAP_V4L2, CAP_GSTREAMER, CAP_FFMPEG, CAP_DSHOW, CAP_MSMF = 0, 200, 200, 1800, 1900, 700, 1400
 CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F, CV_16F = range(8)
 
 
@@ -143,11 +145,14 @@ createBackgroundSubtractorMOG2 = _creator('BackgroundSubtractorMOG2')
 
 
 def SimpleBlobDetector_Params():
-    return _make('SimpleBlobDetector_Params')
+    return _wrap('SimpleBlobDetector_Params', _ask_object(_make('SimpleBlobDetector'), 'getParams'))
 
 
 def SimpleBlobDetector_create(parameters=None):
-    return _make('SimpleBlobDetector', parameters or SimpleBlobDetector_Params())
+    detector = _make('SimpleBlobDetector')
+    if parameters is not None:
+        detector.setParams(parameters)
+    return detector
 
 
 SimpleBlobDetector = SimpleBlobDetector_create

@@ -64,6 +64,10 @@ class DMatch:
         return self.distance < other.distance
 
 
+for _one in (error, KeyPoint, DMatch):
+    _one.__module__ = 'cv2'
+
+
 def _bad(function, name, why):
     return error(
         f"OpenCV(4.13.0) :-1: error: (-5:Bad argument) in function '{function}'\n"
@@ -435,6 +439,11 @@ def make(name, *values, **named):
 
 def wrap(name, result):
     return Object(name, result['O'], frozenset(result.get('p', ())))
+
+
+def ask_object(owner, method):
+    """The object that a method without parameters returns."""
+    return _plain('.' + method, owner._id)
 
 
 def ask(called, *arguments):

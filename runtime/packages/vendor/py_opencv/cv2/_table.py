@@ -203,7 +203,8 @@ KAZE.new: extended:bool=False, upright:bool=False, threshold:float=0.001, nOctav
 FastFeatureDetector.new: threshold:int=10, nonmaxSuppression:bool=True
 GFTTDetector.new: maxCorners:int=1000, qualityLevel:float=0.01, minDistance:float=1, blockSize:int=3,
     useHarrisDetector:bool=False, k:float=0.04
-SimpleBlobDetector.new: parameters:object
+SimpleBlobDetector.new:
+SimpleBlobDetector.setParams: parameters:object
 Feature2D.detect: image, >keypoints:keypoints, mask=None
 Feature2D.compute: image, &keypoints:keypoints, >descriptors
 Feature2D.detectAndCompute: image, mask, >keypoints:keypoints, >descriptors, useProvidedKeypoints:bool=False

@@ -200,7 +200,10 @@ def components():
 @look
 def matching():
     result = cv2.matchTemplate(GRAY, GRAY[20:60, 20:60], cv2.TM_CCOEFF_NORMED)
-    return (result.shape, cv2.minMaxLoc(result)[3], cv2.goodFeaturesToTrack(GRAY, 5, 0.1, 10).shape,
+    corners = np.float32([[[113, 47]], [[137, 74]], [[90, 80]]])
+    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 30, 0.01)
+    cv2.cornerSubPix(GRAY, corners, (5, 5), (-1, -1), stop)
+    return (corners, result.shape, cv2.minMaxLoc(result)[3], cv2.goodFeaturesToTrack(GRAY, 5, 0.1, 10).shape,
             cv2.cornerHarris(np.float32(GRAY), 2, 3, 0.04).dtype.name)
 
 
@@ -251,6 +254,17 @@ def camera():
     return (good, turn, place, matrix, CORNERS.shape,
             cv2.undistort(GRAY, CAMERA, np.float64([0.1, 0, 0, 0])).shape,
             cv2.findHomography(SQUARE[:, :2], CORNERS)[0].shape)
+
+
+@look
+def lenses():
+    bent = np.float64([-0.25, 0.08, 0.001, -0.002, 0.01])
+    points = np.float32([[[10, 10]], [[80, 60]], [[150, 100]], [[5, 119]]])
+    results = [cv2.undistortPoints(points, CAMERA, bent), cv2.undistortPoints(points, CAMERA, bent, P=CAMERA),
+               cv2.undistortPoints(points, CAMERA, None)]
+    for alpha in (0, 0.5, 1):
+        results.append(cv2.getOptimalNewCameraMatrix(CAMERA, bent, (160, 120), alpha))
+    return results
 
 
 @look

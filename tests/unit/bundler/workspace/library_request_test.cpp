@@ -93,7 +93,7 @@ TEST_F(LibraryRequests, LeavesTheChannelsOpenCvWhereItIsEnough) {
   packages_.front().python_uses.back().module = "cv2";
   packages_.front().python_uses.back().attributes = {"cvtColor", "findContours"};
   EXPECT_EQ(asked(), Names{});
-  packages_.front().python_uses.back().attributes = {"cornerSubPix", "cvtColor"};
+  packages_.front().python_uses.back().attributes = {"cvtColor", "findChessboardCorners"};
   EXPECT_EQ(asked(), (Names{"opencv-python", "channel numpy"}));
   packages_.front().python_uses.back() = {.module = "cv2", .names = {"dnn"}, .span = {}};
   EXPECT_EQ(asked(), (Names{"opencv-python", "channel numpy"}));

@@ -14,6 +14,7 @@ from cv2._call import wrap as _wrap
 from cv2 import aruco  # noqa: F401
 from cv2._calibrate import calibrate as _calibrate
 from cv2._codecs import haveImageReader, haveImageWriter, imdecode, imencode, imread, imwrite  # noqa: F401
+from cv2._lenses import cornerSubPix, getOptimalNewCameraMatrix, undistortPoints  # noqa: F401
 from cv2._more import (  # noqa: F401
     KalmanFilter, accumulate, accumulateSquare, accumulateWeighted, extractChannel, findNonZero, hasNonZero, idft,
     insertChannel, mixChannels, sort)

@@ -14,6 +14,7 @@ struct ModulePackage {
 constexpr auto kPackages = std::to_array<ModulePackage>({
     {"cv2", "python3-opencv"},
     {"cv_bridge", "python3-opencv"},
+    {"image_geometry", "python3-opencv"},
     {"numpy", "python3-numpy"},
     {"scipy", "python3-scipy"},
     {"tf2_ros", "tf2_ros_py"},

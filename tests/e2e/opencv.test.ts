@@ -20,8 +20,9 @@ const BRIDGE = `import cv2
 import numpy as np
 import rclpy
 from cv_bridge import CvBridge, CvBridgeError
+from image_geometry import PinholeCameraModel, StereoCameraModel
 from rclpy.node import Node
-from sensor_msgs.msg import CompressedImage, Image
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
 
 class Bridge(Node):
@@ -65,9 +66,32 @@ class Bridge(Node):
         self.say(f'small {message.format} {picture.shape} {picture[0, 0].tolist()}')
 
 
+def cameras():
+    info = CameraInfo(width=160, height=120, d=[-0.25, 0.08, 0.001, -0.002, 0.01], binning_x=2)
+    info.header.frame_id = 'eye'
+    info.k = [200.0, 0, 80, 0, 200, 60, 0, 0, 1]
+    info.r = [1.0, 0, 0, 0, 1, 0, 0, 0, 1]
+    info.p = [200.0, 0, 80, 0, 0, 200, 60, 0, 0, 0, 1, 0]
+    model = PinholeCameraModel()
+    model.fromCameraInfo(info)
+    pixel = model.project3dToPixel((0.2, -0.1, 2.0))
+    ray = model.projectPixelTo3dRay(pixel)
+    told = [model.fx(), model.cx(), *pixel, *ray, *model.rectifyPoint((10, 20)), model.getDeltaX(10, 2.0), model.full_K[0, 0]]
+    info.binning_x = 0
+    right = CameraInfo(width=160, height=120, k=info.k, r=info.r, p=[200.0, 0, 80, -20, 0, 200, 60, 0, 0, 0, 1, 0])
+    stereo = StereoCameraModel()
+    stereo.fromCameraInfo(info, right)
+    told += [stereo.getZ(10), stereo.getDisparity(2.0), *stereo.projectPixelTo3d((100, 70), 10)]
+    flat = np.zeros((120, 160), np.uint8)
+    stereo.left.rectifyImage(np.full((120, 160), 200, np.uint8), flat)
+    return f'{model.tfFrame()} {[round(float(one), 3) for one in told]} {flat[60, 80]}'
+
+
 def main():
     rclpy.init()
-    rclpy.spin(Bridge())
+    node = Bridge()
+    node.say(cameras())
+    rclpy.spin(node)
 `;
 
 const workspace = new PackWorkspace();
@@ -168,12 +192,13 @@ test('cv2 gives the shapes, types, values and errors of OpenCV on a desktop', wa
   [last = ''] = /looks: done \w+/.exec(ran.stdout) ?? [];
 });
 
-// Compatibility, works: Python: cv_bridge: images and compressed images as arrays and back, its encodings and its errors
+// Compatibility, works: Python: cv_bridge (images and compressed images as arrays and back, encodings, errors) and image_geometry
 test('cv_bridge gives arrays of images and images of arrays', watchdog, async () => {
   const ran = await workspace.run(['run', 'site', '--for', '60s', '--until', 'small png']);
   assert.equal(ran.code, 0, ran.stderr);
   const lines = [...ran.stdout.matchAll(/\[bridge\]: (.*)$/gm)].map(([, text]) => text);
   assert.deepEqual(lines, [
+    'eye [100.0, 40.0, 50.0, 50.0, 0.099, -0.05, 0.994, 9.028, 18.637, 0.2, 200.0, 2.0, 10.0, 0.2, 0.1, 2.0] 200',
     'bgr8 18 [200, 20, 10]',
     'gray (4, 6) uint8 73',
     'depth 32FC1 12 [1.5, 1.5, 1.5]',

@@ -64,9 +64,6 @@ constexpr auto kHints = std::to_array<Hint>({
     {"flask", kNoSockets},
     {"gpiozero", kHardware},
     {"httpx", kNoRequests},
-    {"image_geometry",
-     "the projection is that of the 3x4 matrix `p` of sensor_msgs/msg/CameraInfo, which numpy "
-     "multiplies; cv2 has `projectPoints` and `undistort`"},
     {"keyboard", kKeys},
     {"launch", kLaunch},
     {"launch_ros", kLaunch},

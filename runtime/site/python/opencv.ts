@@ -107,13 +107,16 @@ export class OpenCv {
     const made: Bound[] = [];
     try {
       const values = a.map((argument) => this.argument(argument, made));
-      const r = this.result(this.carryOut(f, on, values));
+      const returned = this.carryOut(f, on, values);
+      if (typeof returned === 'object' && returned !== null && 'delete' in returned) made.push(returned as Bound);
+      const r = this.result(returned);
       const o = out.map((index) => this.result(values[index]));
       return JSON.stringify({ r, o });
     } catch (error) {
       return JSON.stringify({ e: this.problem(error) });
     } finally {
-      const kept = new Set(this.objects.values());
+      // Results live until Python has fetched them.
+      const kept = new Set([...this.objects.values()].flat());
       for (const one of made) if (!kept.has(one) && !one.isDeleted()) one.delete();
     }
   }
@@ -213,7 +216,7 @@ export class OpenCv {
   private result(value: unknown): unknown {
     if (typeof value === 'bigint') return Number(value);
     if (typeof value !== 'object' || value === null) return value;
-    if (value instanceof this.cv.Mat) return { m: [this.keep([value.clone()]), ...headOf(value)] };
+    if (value instanceof this.cv.Mat) return { m: [this.keep([value]), ...headOf(value)] };
     const name = value.constructor.name;
     if (!kVectors.test(name)) return 'delete' in value ? { O: this.keep(value), p: attributesOf(value) } : value;
     const vector = value as Vector;

@@ -45,6 +45,9 @@ Outcome<Done> missing_tool(const std::string& name, const std::string& debian_pa
 EnvironmentVariables child_environment(const PackageBuild& request, const BuildTools& tools) {
   EnvironmentVariables result = tools.compiler_environment;
   result["NINJA_STATUS"] = "[%f/%t] ";
+  // Generators are Python files of the environment, which other packs use and whose files are
+  // checked against its seal, and of the user's sources: nothing is written beside them.
+  result["PYTHONDONTWRITEBYTECODE"] = "1";
   result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
   result[kChannelPrefixVariable] = request.channel_prefix.string();
   result[kLinkKitsVariable] = (request.work / kLinkKits).string();

@@ -12,7 +12,7 @@
 // Compatibility, cannot: type support of C messages (`ROSIDL_GET_MSG_TYPE_SUPPORT` in C) -> the linker (R2W0504), as there is no rclc;
 // publish the C++ message
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { existsSync, globSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -213,9 +213,12 @@ ament_package()
   <exec_depend>rosidl_default_runtime</exec_depend>
   <member_of_group>rosidl_interface_packages</member_of_group>`),
   'src/only_messages/msg/Level.msg': 'int32 level\n',
+  'src/only_messages/tools/versions.py': 'import numbers_of_it\nprint(numbers_of_it.MAJOR)\n',
+  'src/only_messages/tools/numbers_of_it.py': 'MAJOR = 1\n',
   'src/only_messages/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
 project(only_messages)
 find_package(rosidl_default_generators REQUIRED)
+execute_process(COMMAND python3 "\${CMAKE_CURRENT_SOURCE_DIR}/tools/versions.py" COMMAND_ERROR_IS_FATAL ANY)
 rosidl_generate_interfaces(\${PROJECT_NAME} "msg/Level.msg")
 ament_package()
 `,
@@ -250,7 +253,7 @@ launch:
 ${['newer', 'a_user', 'in_c', 'early', 'optional'].map((one) => `  - {package: ${one}, executable: ${one}}\n`).join('')}  - {package: own_c, executable: wheels}
   - {package: scripts, executable: levels}
 `);
-  packed = await workspace.run(['pack', '--quick']);
+  packed = await workspace.run(['pack', '--quick'], { PYTHONDONTWRITEBYTECODE: '' });
   assert.equal(packed.code, 0, packed.stderr);
   said = (await workspace.run(['run', 'site', '--for', '120s'])).stdout;
 }, { timeout: 900_000 });
@@ -297,4 +300,10 @@ test('a library that a Find module does not find takes only what links it along'
 test('scripts of a setup.cfg that CMake installs run, with messages of a package that does not look for ament_cmake', () => {
   assert.match(said, /^\[levels-7\] the level is 4$/m);
   assert.ok(existsSync(join(workspace.root, 'site/site.json')));
+});
+
+test('generators in Python leave no compiled files in the environment, which has a seal, and in the sources', () => {
+  const generators = join(workspace.cache, 'ros2wasm/environments/*/share/rosidl_typesupport_wasm_cpp/generator');
+  assert.ok(globSync(generators).length > 0);
+  assert.deepEqual([...globSync(join(generators, '**/*.pyc')), ...globSync(join(workspace.root, 'src/**/*.pyc'))], []);
 });

@@ -18,7 +18,7 @@ const SHARED_CACHE = process.env['ROS2WASM_TEST_CACHE'];
 
 export class PackWorkspace {
   readonly root = mkdtempSync(join(tmpdir(), 'ros2wasm-pack-'));
-  private readonly cache: string;
+  readonly cache: string;
 
   /** Tests of what is built, or is not, want a cache of their own; those of what runs share one. */
   constructor(cache: 'own' | 'shared' = 'own') {

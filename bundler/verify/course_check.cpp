@@ -55,6 +55,8 @@ Outcome<Done> check_own_file(const fs::path& folder, const ListedFile& file, Dia
     faults.push_back(other_bytes(file.path, "it has " + std::to_string(hashes->size) +
                                                 " bytes, by course.json " +
                                                 std::to_string(file.size)));
+  } else if (hashes->sha256.empty()) {
+    faults.push_back(other_bytes(file.path, "no file of a course has so many bytes"));
   } else if (hashes->sha256 != file.sha256) {
     faults.push_back(other_bytes(
         file.path, "its sha256 is " + hashes->sha256 + ", by course.json " + file.sha256));

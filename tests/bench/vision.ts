@@ -31,7 +31,7 @@ export async function benchVision(context: BenchContext): Promise<void> {
   try {
     const site = packLaunch(context, folder, ['python_bench'], 'sees', ['{package: python_bench, executable: sees}']);
     const peer = onDesktop(context);
-    if (peer === undefined) console.error('python3-opencv is missing, so there is no peer');
+    if (peer === undefined) console.error('python3-opencv is not installed: the times have no peer');
     const headless = spawnSync(join(context.build, 'ros2wasm'), ['run', site, '--until', 'sees: done', '--for', '120s'], { encoding: 'utf8' });
     let inPage = '';
     await inBrowser(site, async (page, _pid, url) => {

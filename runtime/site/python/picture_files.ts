@@ -29,33 +29,30 @@ function bytesOf(pixels: Uint8Array | Uint16Array): Uint8Array<ArrayBuffer> {
   return new Uint8Array(pixels.slice().buffer as ArrayBuffer);
 }
 
+/** Pixel `i` of rows with 8 bits or less per pixel: several in a byte, the first one in its upper bits. */
+function packedPixel(data: Uint8Array, width: number, depth: number, i: number): number {
+  const place = (i % width) * depth;
+  const row = Math.floor(i / width) * Math.ceil((width * depth) / 8);
+  return (data[row + (place >> 3)]! >> (8 - depth - (place & 7))) & ((1 << depth) - 1);
+}
+
 function fromPng(file: Uint8Array<ArrayBuffer>): Picture {
   const head = new DataView(file.buffer, file.byteOffset, file.byteLength);
   // Before anything is unpacked: a small file can hold a huge picture.
   if (head.getUint32(sizeOfPng) * head.getUint32(sizeOfPng + 4) > mostPixels) throw new RangeError('the picture is too large');
   const { width, height, data, depth, channels, palette } = decodePng(file);
   if (palette !== undefined) {
-    const colors = Uint8Array.from(data as Uint8Array, (index) => index);
     const pixels = new Uint8Array(width * height * 3);
     for (let i = 0; i < width * height; i += 1) {
-      // Several pixels in a byte, the first one above.
-      const place = (i % width) * depth;
-      const row = Math.floor(i / width) * Math.ceil((width * depth) / 8);
-      const index = (colors[row + (place >> 3)]! >> (8 - depth - (place & 7))) & ((1 << depth) - 1);
-      const [red = 0, green = 0, blue = 0] = palette[index] ?? [];
+      const [red = 0, green = 0, blue = 0] = palette[packedPixel(data as Uint8Array, width, depth, i)] ?? [];
       pixels.set([blue, green, red], 3 * i);
     }
     return { rows: height, cols: width, channels: 3, depth: 0, bytes: pixels };
   }
   if (depth < 8) {
     const most = (1 << depth) - 1;
-    const stride = Math.ceil((width * depth) / 8);
     const pixels = new Uint8Array(width * height);
-    for (let i = 0; i < pixels.length; i += 1) {
-      const place = (i % width) * depth;
-      const byte = (data as Uint8Array)[Math.floor(i / width) * stride + (place >> 3)]!;
-      pixels[i] = (((byte >> (8 - depth - (place & 7))) & most) * 255) / most;
-    }
+    for (let i = 0; i < pixels.length; i += 1) pixels[i] = (packedPixel(data as Uint8Array, width, depth, i) * 255) / most;
     return { rows: height, cols: width, channels: 1, depth: 0, bytes: pixels };
   }
   const pixels = data as Uint8Array | Uint16Array;

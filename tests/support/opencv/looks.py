@@ -344,6 +344,19 @@ def files():
 
 
 @look
+def broken_files():
+    """Heads that lie about the size, and files that end early."""
+    result = []
+    for data in (b'P5 99999999999999999999 2 255\n1', b'P6 9 9 255\nab', b'P2 2 2 255\n1 2', b'BM' + b'\xff' * 60,
+                 b'\x89PNG'):
+        try:
+            result.append(cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR) is None)
+        except cv2.error:
+            result.append(True)
+    return result
+
+
+@look
 def large_arrays():
     rows, columns = np.mgrid[0:480, 0:640]
     wave = (rows * 0.5 + columns * 2.0) * 1.5 - rows + 3.0

@@ -1,7 +1,7 @@
 """OpenCV 4.13, as npm's OpenCV.js is built of it, with the parameters and results of OpenCV's own Python module.
 
-It has no windows, cameras and videos, and not all functions; Pyodide's opencv-python, which a workspace gets in its
-place when it can be had, has more of them.
+Windows are panels of the page. It has no cameras and videos, and not all functions: a workspace that uses a function
+which is not here gets Pyodide's opencv-python in its place.
 """
 import numpy as _numpy
 from cv2._call import CONSTANTS as _CONSTANTS
@@ -12,9 +12,11 @@ from cv2._call import ask_object as _ask_object
 from cv2._call import make as _make
 from cv2._call import wrap as _wrap
 from cv2 import aruco  # noqa: F401
-from cv2._calibrate import calibrate as _calibrate
-from cv2._codecs import haveImageReader, haveImageWriter, imdecode, imencode, imread, imwrite  # noqa: F401
-from cv2._lenses import cornerSubPix, getOptimalNewCameraMatrix, undistortPoints  # noqa: F401
+from cv2._codecs import (  # noqa: F401
+    IMREAD_ANYCOLOR, IMREAD_ANYDEPTH, IMREAD_COLOR, IMREAD_GRAYSCALE, IMREAD_UNCHANGED, IMWRITE_JPEG_QUALITY,
+    haveImageReader, haveImageWriter, imdecode, imencode, imread, imwrite)
+from cv2._codecs import IMREAD_RGB as IMREAD_COLOR_RGB  # noqa: F401
+from cv2._lenses import calibrateCamera, cornerSubPix, getOptimalNewCameraMatrix, undistortPoints  # noqa: F401
 from cv2._more import (  # noqa: F401
     KalmanFilter, accumulate, accumulateSquare, accumulateWeighted, extractChannel, findNonZero, hasNonZero, idft,
     insertChannel, mixChannels, sort)
@@ -31,9 +33,8 @@ globals().update({
     name: function for name, function in _FUNCTIONS.items() if name not in ('ellipse1', 'rectangle1', 'norm1')})
 
 #: Those of imgcodecs, highgui and videoio, which OpenCV.js is built without.
-IMREAD_UNCHANGED, IMREAD_GRAYSCALE, IMREAD_COLOR, IMREAD_ANYDEPTH, IMREAD_ANYCOLOR = -1, 0, 1, 2, 4
-IMREAD_COLOR_BGR, IMREAD_COLOR_RGB = 1, 256
-IMWRITE_JPEG_QUALITY, IMWRITE_PNG_COMPRESSION = 1, 16
+IMREAD_COLOR_BGR = IMREAD_COLOR
+IMWRITE_PNG_COMPRESSION = 16
 WINDOW_NORMAL, WINDOW_AUTOSIZE, WINDOW_FREERATIO, WINDOW_KEEPRATIO, WINDOW_FULLSCREEN = 0, 1, 256, 0, 1
 WINDOW_GUI_EXPANDED, WINDOW_GUI_NORMAL = 0, 16
 EVENT_MOUSEMOVE, EVENT_LBUTTONDOWN, EVENT_RBUTTONDOWN, EVENT_MBUTTONDOWN = 0, 1, 2, 3
@@ -97,12 +98,6 @@ def getTextSize(text, fontFace, fontScale, thickness):
     width = sum(_advance(fontFace, one) * fontScale for one in letters)
     height = (above + below) * fontScale + (thickness + 1) // 2
     return (round(width + thickness), round(height)), round(below * fontScale + thickness * 0.5)
-
-
-def calibrateCamera(objectPoints, imagePoints, imageSize, cameraMatrix, distCoeffs, rvecs=None, tvecs=None, flags=0,
-                    criteria=(3, 30, 2.220446049250313e-16)):
-    found = _calibrate(objectPoints, imagePoints, imageSize, cameraMatrix, distCoeffs, flags=flags, criteria=criteria)
-    return found[:5]
 
 
 def getNumThreads():

@@ -13,6 +13,7 @@ IMREAD_ANYDEPTH = 2
 IMREAD_COLOR = 1
 IMREAD_ANYCOLOR = 4
 IMREAD_RGB = 256
+IMWRITE_JPEG_QUALITY = 1
 WRITERS = ('.png', '.jpg', '.jpeg', '.jpe', '.bmp', '.dib', '.pgm', '.ppm', '.pbm', '.pnm')
 
 
@@ -103,7 +104,7 @@ def _decoded(data):
             return _pnm(data)
         if data[:2] == b'BM':
             return _bmp(data)
-    except (AttributeError, ValueError, IndexError):
+    except (AttributeError, ValueError, IndexError, OverflowError):
         return None
     whole = numpy.frombuffer(data, 'uint8')
     answer = json.loads(ros2wasm_host.opencv.decode(_address(whole), whole.size))
@@ -155,8 +156,8 @@ def _encoded(ending, picture, params):
             (rows.size, 4)]
         return b'BM' + b''.join(value.to_bytes(size, 'little') for value, size in sizes) + bytes(16) + rows.tobytes()
     picture = numpy.ascontiguousarray(picture)
-    answer = json.loads(
-        ros2wasm_host.opencv.encode(ending, _address(picture), *_head(picture), int(options.get(1, 95))))
+    quality = int(options.get(IMWRITE_JPEG_QUALITY, 95))
+    answer = json.loads(ros2wasm_host.opencv.encode(ending, _address(picture), *_head(picture), quality))
     return READERS['array'](answer).tobytes()
 
 

@@ -1,7 +1,7 @@
-"""Points of cameras with a lens, and corners between pixels: functions that OpenCV.js does not have."""
+"""Points of cameras with a lens, corners between pixels, calibration: what OpenCV.js has not, or in another form."""
 import cv2
 import numpy
-from cv2._call import error
+from cv2._call import Function, error
 
 #: Steps of the search for the place that distortion moves to a given one, as OpenCV takes them.
 UNDISTORT_STEPS = 5
@@ -114,3 +114,16 @@ def cornerSubPix(image, corners, winSize, zeroZone, criteria):
                 break
         place[:] = first if abs(at[0] - first[0]) > wide or abs(at[1] - first[1]) > high else at
     return corners
+
+
+#: OpenCV.js has the form with all results only.
+_calibrate = Function('calibrateCameraExtended', (
+    'objectPoints:mats, imagePoints:mats, imageSize:size, &cameraMatrix, &distCoeffs, >rvecs:mats, >tvecs:mats, '
+    '>stdDeviationsIntrinsics, >stdDeviationsExtrinsics, >perViewErrors, flags:int=0, '
+    'criteria:term=(3,30,2.220446049250313e-16) -> float'))
+
+
+def calibrateCamera(objectPoints, imagePoints, imageSize, cameraMatrix, distCoeffs, rvecs=None, tvecs=None, flags=0,
+                    criteria=(3, 30, 2.220446049250313e-16)):
+    found = _calibrate(objectPoints, imagePoints, imageSize, cameraMatrix, distCoeffs, flags=flags, criteria=criteria)
+    return found[:5]

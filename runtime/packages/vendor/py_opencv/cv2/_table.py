@@ -2,7 +2,7 @@
 
 A line: NAME, then the parameters; an indented line goes on with the one before. `>` marks a result, `&` an argument
 that is also a result. After `:` comes the type (an array without it), after `=` the value when it is not given. After
-`->` comes the type of what the function returns. A second name before `:` is that in OpenCV.js. The order of Python's
+`->` comes the type of what the function returns. The order of Python's
 parameters follows: see _call.py.
 """
 

@@ -15,6 +15,11 @@ const OUTPUT = resolve(import.meta.dirname, '../output');
 
 type Told = null | boolean | number | string | readonly Told[] | { readonly [name: string]: Told };
 
+/** Names for which `pack` takes Pyodide's opencv-python in place of the channel's cv2. */
+const SOURCE = readFileSync(resolve(import.meta.dirname, '../../bundler/workspace/python_libraries.cpp'), 'utf8');
+const [, LIST = ''] = /kNotOfOpenCv = [^{]*\(\{(.*?)\}\)/s.exec(SOURCE) ?? assert.fail();
+const absent = [...LIST.matchAll(/"(\w+)"/g)].map(([, name]) => name);
+
 /** Both directions, within one program: what is published comes back as an array. */
 const BRIDGE = `import cv2
 import numpy as np
@@ -23,6 +28,9 @@ from cv_bridge import CvBridge, CvBridgeError
 from image_geometry import PinholeCameraModel, StereoCameraModel
 from rclpy.node import Node
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+
+ABSENT = ${JSON.stringify(absent)}
 
 
 class Bridge(Node):
@@ -91,6 +99,7 @@ def main():
     rclpy.init()
     node = Bridge()
     node.say(cameras())
+    node.say(f'has {[name for name in ABSENT if hasattr(cv2, name)]} of {len(ABSENT)}')
     rclpy.spin(node)
 `;
 
@@ -193,12 +202,13 @@ test('cv2 gives the shapes, types, values and errors of OpenCV on a desktop', wa
 });
 
 // Compatibility, works: Python: cv_bridge (images and compressed images as arrays and back, encodings, errors) and image_geometry
-test('cv_bridge gives arrays of images and images of arrays', watchdog, async () => {
+test('cv_bridge gives arrays of images and images of arrays, and cv2 has no name of those that ask for the other cv2', watchdog, async () => {
   const ran = await workspace.run(['run', 'site', '--for', '60s', '--until', 'small png']);
   assert.equal(ran.code, 0, ran.stderr);
   const lines = [...ran.stdout.matchAll(/\[bridge\]: (.*)$/gm)].map(([, text]) => text);
   assert.deepEqual(lines, [
     'eye [100.0, 40.0, 50.0, 50.0, 0.099, -0.05, 0.994, 9.028, 18.637, 0.2, 200.0, 2.0, 10.0, 0.2, 0.1, 2.0] 200',
+    `has [] of ${absent.length}`,
     'bgr8 18 [200, 20, 10]',
     'gray (4, 6) uint8 73',
     'depth 32FC1 12 [1.5, 1.5, 1.5]',
@@ -207,6 +217,7 @@ test('cv_bridge gives arrays of images and images of arrays', watchdog, async ()
     'refused: Unrecognized image encoding [nothing]',
     'small png (16, 32, 3) [10, 20, 200]',
   ]);
+  assert.ok(absent.length > 100);
 });
 
 // Compatibility, works: Python: `cv2.imshow` opens an Image panel, with keys for `cv2.waitKey`, trackbars and the mouse

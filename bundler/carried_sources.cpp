@@ -49,24 +49,25 @@ class Sources {
       errors_.push_back(not_carried(path.string(), "it is not there"));
       return;
     }
-    // Launch files read what was built and installed, too.
+    // Launch files read what was built and installed, too, and what add_trees() adds.
     if (path_within(workspace_.cache, real) || path_within(workspace_.environment, real)) return;
-    const std::string name = from_workspace.generic_string();
-    if (!fs::is_directory(real, error)) return add_file(name, real);
-    const auto entries = source_tree(real, workspace_.folder);
-    if (!entries) {
-      const Diagnostics& faults = entries.errors();
-      errors_.insert(errors_.end(), faults.begin(), faults.end());
-      return;
-    }
-    for (const SourceEntry& entry : *entries) {
-      const std::string below = (from_workspace / entry.path).lexically_normal().generic_string();
-      if (!entry.same_as.empty() || !entry.leads_to.empty()) {
-        errors_.push_back(
-            not_carried(below, "it is a link to the folder `" +
-                                   (entry.same_as.empty() ? entry.leads_to : entry.same_as) + "`"));
-      } else if (!entry.is_folder) {
-        add_file(below, real / entry.path);
+    if (path_within(workspace_.roots.cache / "sources", real)) return;
+    add_at(from_workspace, real, workspace_.folder);
+  }
+
+  /// The packages that came from repositories and archives, where bring_source_trees() finds them.
+  void add_trees() {
+    for (const SourceTree& tree : workspace_.source_trees) {
+      if (tree.can_change) continue;
+      const fs::path place = fs::path(kCarriedSources) / key_of(tree.locked);
+      // Patterns of the manifest must not find them once more.
+      add_text((fs::path(kCarriedSources) / "COLCON_IGNORE").generic_string(), "");
+      for (const fs::path& file : license_files(tree.folder))
+        add_at(place / file.lexically_relative(tree.folder), file, tree.folder);
+      for (const LocalPackage& package : workspace_.sources) {
+        if (package.base != tree.folder) continue;
+        add_at((place / package.directory.lexically_relative(tree.folder)).lexically_normal(),
+               package.directory, tree.folder);
       }
     }
   }
@@ -116,6 +117,28 @@ class Sources {
     return static_cast<std::size_t>(std::count(path.begin(), path.end(), fs::path("..")));
   }
 
+  /// A file, or all of a folder, by the name that it has in the archive.
+  void add_at(const fs::path& name, const fs::path& real, const fs::path& base) {
+    std::error_code error;
+    if (!fs::is_directory(real, error)) return add_file(name.generic_string(), real);
+    const auto entries = source_tree(real, base);
+    if (!entries) {
+      const Diagnostics& faults = entries.errors();
+      errors_.insert(errors_.end(), faults.begin(), faults.end());
+      return;
+    }
+    for (const SourceEntry& entry : *entries) {
+      const std::string below = (name / entry.path).lexically_normal().generic_string();
+      if (!entry.same_as.empty() || !entry.leads_to.empty()) {
+        errors_.push_back(
+            not_carried(below, "it is a link to the folder `" +
+                                   (entry.same_as.empty() ? entry.leads_to : entry.same_as) + "`"));
+      } else if (!entry.is_folder) {
+        add_file(below, real / entry.path);
+      }
+    }
+  }
+
   void add_file(const std::string& name, const fs::path& file) {
     auto bytes = read_file(file, kMostOfData);
     if (!bytes) {
@@ -150,6 +173,7 @@ Outcome<Done> add_sources(const PackRequest& request, BuiltWorkspace& workspace,
   Sources sources(workspace);
   for (const fs::path& path : workspace.watched) sources.add(path);
   for (const fs::path& path : license_files(workspace.folder)) sources.add(path);
+  sources.add_trees();
   sources.add_text(kLockFileName, workspace.lock_text);
   sources.leave_out(kSizesFileName);  // written after the site
   // The manifest is the first that a workspace depends on.

@@ -20,6 +20,7 @@
 #include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
+#include "bundler/workspace_sources.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 #include "workspace_schema/schema/manifest_reader.hpp"
@@ -127,6 +128,7 @@ Outcome<RepoIndex> locked_index(const fs::path& lock_file, LockRest& rest) {
   auto lock = read_lock_file(lock_file);
   if (!lock) return std::move(lock).errors();
   rest = {.absent = std::move(lock->absent),
+          .sources = {},
           .wheels = std::move(lock->wheels),
           .python_index = std::move(lock->python_index),
           .libraries = std::move(lock->libraries)};
@@ -193,17 +195,29 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (!packages) return std::move(packages).errors();
   if (!workspace.has_manifest) take_bringup(workspace, *packages);
   for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
+  auto channels = workspace_channels(workspace.manifest, workspace.folder, request.executable,
+                                     request.variables);
+  if (!channels) return std::move(channels).errors();
+  auto& [roots, addresses] = *channels;
+  roots.network.offline = request.offline;
+  auto sources = add_source_packages(manifest,
+                                     {.folder = workspace.folder,
+                                      .shown_folder = workspace.shown_folder,
+                                      .update = request.update,
+                                      .must_be_locked = request.locked || request.frozen},
+                                     roots, *limits, *packages, cancellation, progress);
+  if (!sources) return std::move(sources).errors();
+  workspace.source_trees = std::move(sources->trees);
+  workspace.watched.insert(workspace.watched.end(), sources->watched.begin(),
+                           sources->watched.end());
+  workspace.remarks.insert(workspace.remarks.end(), sources->remarks.begin(),
+                           sources->remarks.end());
   auto compiler = find_compiler(request.variables);
   if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))
     return std::move(compiler).errors();
 
   // 3. what the channels have, and what is asked of them
   begin_step(progress, "solve");
-  auto channels = workspace_channels(workspace.manifest, workspace.folder, request.executable,
-                                     request.variables);
-  if (!channels) return std::move(channels).errors();
-  auto& [roots, addresses] = *channels;
-  roots.network.offline = request.offline;
   if (roots.embedded.empty() && manifest.channels.empty())
     return embedded_channel(request.executable).errors();
   if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
@@ -295,6 +309,7 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
                                             const Cancellation& cancellation) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
   const LockRest rest{.absent = question.absent,
+                      .sources = sources_to_lock(question.workspace.source_trees),
                       .wheels = locked_wheels(question.workspace.wheels),
                       .python_index = question.workspace.python_index,
                       .libraries = question.workspace.libraries};

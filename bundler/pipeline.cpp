@@ -36,6 +36,7 @@
 #include "bundler/workspace/installed_tree.hpp"
 #include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/wheel_request.hpp"
+#include "bundler/workspace_sources.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 
@@ -231,8 +232,6 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const BuildSettings settings{.cache = workspace->cache,
                                .environment_prefix = environment->prefix,
                                .environment_key = environment->key,
-                               .base = workspace->folder,
-                               .shown_base = workspace->shown_folder,
                                .channel_packages = question->all_packages,
                                .lacks = question->lacks,
                                .builder_of = builder_of};
@@ -259,8 +258,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       if (found != linked->end()) program.file = found->second;
     }
   }
-  workspace->components = site_components(*records, store, workspace->wheels, question->packages,
-                                          workspace->left_out, workspace->folder);
+  workspace->components =
+      site_components(*records, store, workspace->wheels, question->packages, workspace->left_out);
   workspace->sources = std::move(question->packages);
   workspace->tools = std::move(tools);
   workspace->settings = settings;
@@ -273,7 +272,8 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
                        .frozen = request.check_only,
                        .offline = request.offline,
                        .executable = request.executable,
-                       .variables = request.variables},
+                       .variables = request.variables,
+                       .update = request.update},
                       cancellation, progress);
   if (!question) return std::move(question).errors();
   LockReport report{.file = question->workspace.folder / kLockFileName,
@@ -284,12 +284,14 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     return report;
   }
   const LockRest rest{.absent = question->absent,
+                      .sources = sources_to_lock(question->workspace.source_trees),
                       .wheels = locked_wheels(question->workspace.wheels),
                       .python_index = question->workspace.python_index,
                       .libraries = question->workspace.libraries};
   auto solved = solve_with_lock(question->specs, rest, question->index, report.file,
                                 question->workspace.manifest.channel_priority, false,
-                                request.update, cancellation);
+                                without_sources(request.update, question->workspace.source_trees),
+                                cancellation);
   if (!solved) return std::move(solved).errors();
   if (auto written = write_file(report.file, solved->lock_text); !written)
     return std::move(written).errors();

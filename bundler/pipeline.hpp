@@ -12,6 +12,7 @@
 #include "bundler/plan/plan_site.hpp"
 #include "bundler/plan/site_signature.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/store/source_trees.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/page_notebook.hpp"
 #include "bundler/workspace/python_libraries.hpp"
@@ -42,6 +43,7 @@ struct PackRequest {
   bool precompress = false;         ///< a folder's files have compressed forms beside them
   std::filesystem::path built;      ///< where builds are kept; empty: in the cache
   std::string archive_limits;       ///< see extract_limits.hpp; empty: as the environment says
+  LockUpdate update = {};           ///< what is chosen anew although the lock has it
   std::shared_ptr<const SiteSigner> signer;  ///< who signs the site; nobody when null
 };
 
@@ -55,6 +57,7 @@ struct BuiltWorkspace {
   LeftOutChains left_out;                  ///< packages of the workspace that were not built
   std::filesystem::path folder;            ///< of the manifest, absolute
   std::filesystem::path shown_folder;      ///< the same as the person named it
+  std::vector<SourceTree> source_trees;    ///< of `sources:` of the manifest
   std::vector<LocalPackage> sources;       ///< its packages, also those that were skipped
   BuildTools tools;                        ///< that built them,
   BuildSettings settings;                  ///< and how

@@ -155,13 +155,11 @@ std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& rec
                                            const Store& store,
                                            const std::vector<NamedWheel>& wheels,
                                            const std::vector<LocalPackage>& packages,
-                                           const LeftOutChains& left_out,
-                                           const fs::path& workspace) {
+                                           const LeftOutChains& left_out) {
   std::vector<SiteComponent> components;
   components.reserve(records.size() + wheels.size() + packages.size());
   for (const PackageRecord& record : records) components.push_back(of_channel(record, store));
   for (const NamedWheel& wheel : wheels) components.push_back(of_wheel(wheel));
-  const std::vector<std::string> shared = license_texts(workspace, false);
   for (const LocalPackage& package : packages) {
     if (left_out.contains(package.xml.name.value)) continue;
     SiteComponent component{.kind = ComponentKind::kWorkspace,
@@ -169,11 +167,13 @@ std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& rec
                             .version = package.xml.version.value,
                             .licenses = {},
                             .sha256 = {},
-                            .address = {},
+                            .address = package.origin.find("://") == std::string::npos
+                                           ? ""
+                                           : with_masked_secrets(package.origin),
                             .purl = {},
                             .texts = license_texts(package.directory, false)};
     for (const auto& license : package.xml.licenses) component.licenses.push_back(license.value);
-    if (component.texts.empty()) component.texts = shared;
+    if (component.texts.empty()) component.texts = license_texts(package.base, false);
     components.push_back(std::move(component));
   }
   return components;

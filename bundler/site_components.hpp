@@ -25,13 +25,12 @@ namespace ros2wasm {
 [[nodiscard]] std::vector<std::filesystem::path> license_files(const std::filesystem::path& folder);
 
 /// The packages of channels, which are in the store, wheels, then those of the workspace that were
-/// not skipped. A package without license files has those of `workspace`.
+/// not skipped. A package without license files has those of the workspace, or of its source.
 [[nodiscard]] std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& records,
                                                          const Store& store,
                                                          const std::vector<NamedWheel>& wheels,
                                                          const std::vector<LocalPackage>& packages,
-                                                         const LeftOutChains& left_out,
-                                                         const std::filesystem::path& workspace);
+                                                         const LeftOutChains& left_out);
 
 /// The component of a library of Pyodide's distribution; `index` is the address before its file,
 /// with "/".

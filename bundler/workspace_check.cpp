@@ -28,6 +28,7 @@
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "bundler/workspace/world_files.hpp"
+#include "bundler/workspace_sources.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/schema/manifest_reader.hpp"
 
@@ -180,6 +181,17 @@ Diagnostics check_python(const CheckRequest& request, CheckReport& report, const
   return errors;
 }
 
+/// A source that is not on this machine does not make the workspace wrong, but what it has is not
+/// known then: false.
+bool add_source_faults(const Diagnostics& faults, Diagnostics& errors, Diagnostics& warnings) {
+  for (Diagnostic one : faults) {
+    const bool is_away = one.code == "R2W0253";
+    if (is_away) one.severity = Severity::kWarning;
+    (is_away ? warnings : errors).push_back(std::move(one));
+  }
+  return false;
+}
+
 }  // namespace
 
 Outcome<CheckReport> check_workspace(const CheckRequest& request,
@@ -207,6 +219,15 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
   const auto channels = workspace_channels(asked, folder, request.executable, request.variables);
   if (!channels) append(errors, channels.errors());
+  bool has_sources = true;
+  if (packages && channels) {
+    ChannelRoots roots = channels->roots;
+    roots.network.offline = true;
+    const auto sources = add_source_packages(
+        report.manifest, {.folder = folder, .shown_folder = request.manifest.parent_path()}, roots,
+        {}, report.packages, cancellation, {});
+    if (!sources) has_sources = add_source_faults(sources.errors(), errors, report.warnings);
+  }
   const auto wheels = channels ? read_wheels(asked, channels->roots, {}, false, cancellation)
                                : std::vector<NamedWheel>();
   if (!wheels) append(errors, wheels.errors());
@@ -228,7 +249,8 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   append(report.warnings, check_worlds(report.packages, folder, request.manifest.parent_path()));
 
   // A program without its channel says so when it packs; the manifest is not to blame.
-  const bool names_are_known = packages && order && channels && embedded_only(*channels);
+  const bool names_are_known =
+      packages && order && channels && has_sources && embedded_only(*channels);
   KnownNames known{.names = {}, .of_lock = !names_are_known, .absent = {}};
   if (names_are_known) {
     const auto open = open_channels(channels->addresses, channels->roots, cancellation);

@@ -6,6 +6,7 @@
 #include "bundler/store/cache_care.hpp"
 #include "bundler/store/cache_place.hpp"
 #include "bundler/store/library_files.hpp"
+#include "bundler/store/source_trees.hpp"
 #include "bundler/store/store.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "cli/arguments.hpp"
@@ -108,6 +109,9 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
   const auto folders =
       Store(roots, *limits).unpacked_all(lock->packages, context.cancellation, context.progress);
   if (!folders) return context.console.fail(folders.errors());
+  if (const auto sources = fetch_source_trees(lock->sources, roots, *limits, context.cancellation);
+      !sources)
+    return context.console.fail(sources.errors());
   if (const auto wheels = fetch_wheels(lock->wheels, roots, context.cancellation); !wheels)
     return context.console.fail(wheels.errors());
   if (const auto libraries =

@@ -17,6 +17,8 @@
 #include "bundler/render/packed_launch_json.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/workspace_channels.hpp"
+#include "bundler/workspace_sources.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/launch_arguments.hpp"
@@ -64,6 +66,19 @@ Outcome<std::vector<LocalPackage>> packages_of(const fs::path& folder, const fs:
   return std::vector<LocalPackage>();
 }
 
+/// As they are on this machine.
+Outcome<Done> add_sources(Context& context, Manifest& manifest, const fs::path& folder,
+                          const fs::path& shown, std::vector<LocalPackage>& packages) {
+  if (manifest.sources.empty()) return Done{};
+  auto channels = workspace_channels(manifest, folder, context.executable, context.environment);
+  if (!channels) return std::move(channels).errors();
+  channels->roots.network.offline = true;
+  auto sources = add_source_packages(manifest, {.folder = folder, .shown_folder = shown},
+                                     channels->roots, {}, packages, context.cancellation, {});
+  if (!sources) return std::move(sources).errors();
+  return Done{};
+}
+
 int run(Context& context, const LaunchOptions& options) {
   const auto given = launch_arguments_of(options.given);
   if (!given) return context.console.fail(given.errors());
@@ -80,8 +95,11 @@ int run(Context& context, const LaunchOptions& options) {
   auto manifest = manifest_of(folder, options.workspace);
   if (!manifest) return context.console.fail(manifest.errors());
   if (manifest->packages.empty()) manifest->packages.push_back({".", {}});
-  const auto packages = packages_of(folder, options.workspace, *manifest);
+  auto packages = packages_of(folder, options.workspace, *manifest);
   if (!packages) return context.console.fail(packages.errors());
+  if (const auto added = add_sources(context, *manifest, folder, options.workspace, *packages);
+      !added)
+    return context.console.fail(added.errors());
   const auto folders = source_launch_folders(folder, *packages, manifest->distro);
   LaunchWorld world = launch_world(folders, manifest->distro, false);
   world.variables = manifest->launch_variables;

@@ -135,6 +135,18 @@ Outcome<Done> visit_tar_file(const std::filesystem::path& file, const std::strin
   return visit_members(reader.get(), name, visitor);
 }
 
+Outcome<Done> visit_source_archive(const std::filesystem::path& file, const std::string& name,
+                                   const MemberVisitor& visitor) {
+  const Reader reader = tar_reader();
+  archive_read_support_format_zip_seekable(reader.get());
+  archive_read_support_filter_gzip(reader.get());
+  archive_read_support_filter_xz(reader.get());
+  if (archive_read_open_filename(reader.get(), file.c_str(), kPiece) != ARCHIVE_OK) {
+    return damaged_archive(name, reason(reader.get()));
+  }
+  return visit_members(reader.get(), name, visitor);
+}
+
 Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name,
                         const MemberVisitor& visitor) {
   Feed state{.source = packed, .failure = std::nullopt};

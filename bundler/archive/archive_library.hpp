@@ -37,7 +37,13 @@ using MemberVisitor =
 [[nodiscard]] Outcome<Done> visit_tar_file(const std::filesystem::path& file,
                                            const std::string& name, const MemberVisitor& visitor);
 
-/// The same for a tar that comes out of another archive.
+/// Members of a source archive by its content: ZIP, or tar that is compressed with gzip, bzip2, xz
+/// or zstd or not at all. R2W0221 when damaged.
+[[nodiscard]] Outcome<Done> visit_source_archive(const std::filesystem::path& file,
+                                                 const std::string& name,
+                                                 const MemberVisitor& visitor);
+
+/// As visit_tar_file() for a tar that comes out of another archive.
 [[nodiscard]] Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name,
                                       const MemberVisitor& visitor);
 

@@ -38,7 +38,7 @@ Outcome<std::string> hash_of(const LocalPackage& package,
                              const BuildSettings& settings) {
   const bool is_python = package.xml.build_type == kPythonBuildType;
   // CMake reads what links lead to, wherever that is; setup.py gets a copy without it.
-  const auto sources = hash_of_tree(package.directory, settings.base,
+  const auto sources = hash_of_tree(package.directory, package.base,
                                     is_python ? LinksOut::kNamed : LinksOut::kHashed);
   if (!sources) return sources.errors();
   HashBuilder hash;
@@ -207,7 +207,7 @@ class WorkspaceBuilder {
   [[nodiscard]] BuildPlace place_of(const LocalPackage& package) const {
     return {.package = package.xml.name.value,
             .source = package.directory,
-            .display = shown_path(package.directory, settings_.base, settings_.shown_base),
+            .display = shown_path(package.directory, package.base, package.shown_base),
             .compiler_version = tools_.compiler.version,
             .channel_packages = known_packages_};
   }
@@ -227,7 +227,7 @@ class WorkspaceBuilder {
     if (!lock) return lock.errors();
     if (is_kept(prefix, result.hash)) return Done{};  // another process was faster
     if (progress_) progress_({.step = "build", .item = name, .done = 0, .total = 0, .unit = {}});
-    if (auto forgot = forget_what_times_hide(work, package.directory, settings_.base); !forgot)
+    if (auto forgot = forget_what_times_hide(work, package.directory, package.base); !forgot)
       return forgot;
     auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
     if (!staging) return std::move(staging).errors();
@@ -238,7 +238,7 @@ class WorkspaceBuilder {
                          .install = staging->path(),
                          .final_prefix = prefix,
                          .channel_prefix = settings_.environment_prefix,
-                         .workspace = settings_.base,
+                         .workspace = package.base,
                          .jobs = jobs};
     for (auto need = needs.rbegin(); need != needs.rend(); ++need)
       request.prefixes.push_back((*need)->prefix);

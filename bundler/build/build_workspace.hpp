@@ -20,8 +20,6 @@ struct BuildSettings {
   std::filesystem::path cache;               ///< folder for results and work in progress
   std::filesystem::path environment_prefix;  ///< packages of the channels; may be empty
   std::string environment_key;               ///< changes with those packages
-  std::filesystem::path base;                ///< of the workspace
-  std::filesystem::path shown_base;          ///< the same as the person named it, for messages
   std::vector<std::string>
       channel_packages;             ///< ROS names that the channels have, sorted: for advice
   Lacks lacks = {};                 ///< of packages that are built all the same

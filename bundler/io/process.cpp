@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -154,6 +155,10 @@ struct Streams {
     const int in_fd = streams.in >= 0 ? streams.in : ::open("/dev/null", O_RDONLY);
     if (in_fd >= 0) ::dup2(in_fd, STDIN_FILENO);
   }
+  if (request.largest_file > 0) {
+    const rlimit most{.rlim_cur = request.largest_file, .rlim_max = request.largest_file};
+    ::setrlimit(RLIMIT_FSIZE, &most);
+  }
   const std::string& directory = request.directory.native();
   if ((directory.empty() || ::chdir(directory.c_str()) == 0) &&
       (!request.is_confined || give_up_sockets())) {
@@ -300,6 +305,13 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
       return interrupted();
     }
     if (out_of_time()) return result;
+    if (request.most_output > 0 &&
+        result.output.size() + result.error.size() > request.most_output) {
+      stop_group(child, own_group);
+      result.is_out_of_room = true;
+      result.exit_code = kSignals + SIGTERM;
+      return result;
+    }
     if (waits[0].revents != 0) drain(output.read_end, result.output, request);
     if (waits[1].revents != 0) drain(error.read_end, result.error, request);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -52,6 +53,11 @@ struct ProcessRequest {
   bool is_confined = false;
   /// As of Patience; the child's group is ended then. 0: none.
   std::chrono::milliseconds time_limit{0};
+  /// Bytes of captured output; the child's group is ended when there are more. 0: no limit.
+  std::size_t most_output = 0;
+  /// Bytes of each file that it writes, of what it starts too; more ends it by a signal. 0: no
+  /// limit.
+  std::uint64_t largest_file = 0;
 };
 
 struct ProcessResult {
@@ -59,6 +65,7 @@ struct ProcessResult {
   std::string output;
   std::string error;
   bool is_out_of_time = false;  ///< it was ended at the time limit
+  bool is_out_of_room = false;  ///< it was ended because it wrote more than `most_output`
 };
 
 /// A line when a signal ended it, else empty: then it may have said nothing itself.

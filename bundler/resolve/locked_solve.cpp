@@ -118,6 +118,22 @@ std::vector<std::string> changed_libraries(const std::vector<LockedLibrary>& loc
   return changes;
 }
 
+std::vector<std::string> changed_sources(const std::vector<LockedSource>& locked,
+                                         const std::vector<LockedSource>& wanted) {
+  std::vector<std::string> changes;
+  for (const LockedSource& one : wanted) {
+    if (std::find(locked.begin(), locked.end(), one) != locked.end()) continue;
+    changes.push_back("the source `" + (one.git.empty() ? one.archive : one.git) +
+                      "` would be new, or is another one");
+  }
+  for (const LockedSource& one : locked) {
+    if (std::find(wanted.begin(), wanted.end(), one) == wanted.end())
+      changes.push_back("the source `" + (one.git.empty() ? one.archive : one.git) +
+                        "` is not asked for as it is in the lock");
+  }
+  return changes;
+}
+
 bool is_among(const std::string& name, const std::vector<PackageRecord>& packages) {
   return std::any_of(packages.begin(), packages.end(),
                      [&name](const PackageRecord& record) { return record.name == name; });
@@ -171,6 +187,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   std::vector<PackageRecord> locked;
   std::vector<LockedWheel> old_wheels;
   std::vector<LockedLibrary> old_libraries;
+  std::vector<LockedSource> old_sources;
   std::vector<std::string> strangers;  // to choose anew, but not in the lock
   if (!is_absent(lock_file)) {
     auto text = read_file(lock_file, kMostOfList);
@@ -181,6 +198,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
     locked = std::move(lock->packages);
     old_wheels = std::move(lock->wheels);
     old_libraries = std::move(lock->libraries);
+    old_sources = std::move(lock->sources);
     std::copy_if(
         update.names.begin(), update.names.end(), std::back_inserter(strangers),
         [&locked](const std::string& name) { return !name.empty() && !is_among(name, locked); });
@@ -215,6 +233,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   Lock lock{.channels = index.channels,
             .absent = rest.absent,
             .packages = resolution->packages,
+            .sources = rest.sources,
             .wheels = rest.wheels,
             .python_index = rest.python_index,
             .libraries = rest.libraries};
@@ -224,6 +243,8 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   result.lock_changed = result.lock_text != old_text;
   if (must_fit) {
     auto changes = changes_of(locked, lock.packages);
+    for (std::string& one : changed_sources(old_sources, rest.sources))
+      changes.push_back(std::move(one));
     for (std::string& one : changed_wheels(old_wheels, rest.wheels))
       changes.push_back(std::move(one));
     for (std::string& one : changed_libraries(old_libraries, rest.libraries))

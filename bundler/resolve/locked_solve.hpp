@@ -37,6 +37,7 @@ struct LockUpdate {
 /// The contents of a lock besides the packages.
 struct LockRest {
   std::vector<std::string> absent;  ///< as in Lock
+  std::vector<LockedSource> sources;
   std::vector<LockedWheel> wheels;
   std::string python_index;  ///< as in Lock
   std::vector<LockedLibrary> libraries;

@@ -13,6 +13,7 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/io/worker_pool.hpp"
 #include "bundler/store/build_place.hpp"
+#include "bundler/store/source_trees.hpp"
 #include "bundler/store/store.hpp"
 
 namespace ros2wasm {
@@ -147,6 +148,9 @@ std::vector<Item> items_of(const fs::path& cache) {
   for (const fs::path& file : in_buckets(cache / "shards")) {
     if (!is_leftover_name(file)) items.push_back({file, fault_of_shard});
   }
+  for (const fs::path& folder : in_buckets(cache / "sources")) {
+    if (is_package(folder)) items.push_back({folder, source_fault});
+  }
   for (const fs::path& folder : entries_of(cache / "index")) {
     std::error_code error;
     if (is_kept_index(folder)) items.push_back({folder, fault_of_kept_index});
@@ -267,14 +271,21 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
     for (const fs::path& file : entries_of(kept))
       pruner.remove_if_old(file, is_leftover_name(file) ? kLeftoverAge : kKeptLaunchAge);
   }
-  for (const char* area : {"packages", "environments", "index"}) {
+  for (const fs::path& entry : in_buckets(cache / "sources")) {
+    fs::path folder = entry;
+    folder.replace_extension();
+    if (!is_package(entry) && !is_package(folder)) pruner.remove_if_old(entry);
+  }
+  for (const char* area : {"packages", "environments", "index", "sources"}) {
     for (const fs::path& entry : entries_of(cache / area / "unfinished"))
       pruner.remove_if_old(entry);
   }
   for (const fs::path& folder : in_buckets(cache / "archives")) {
     std::error_code error;
     const std::string key = folder.filename().string();
-    if (fs::is_directory(cache / "packages" / key.substr(0, 2) / key, error)) pruner.remove(folder);
+    if (fs::is_directory(cache / "packages" / key.substr(0, 2) / key, error) ||
+        fs::is_directory(source_place(cache, key), error))
+      pruner.remove(folder);
   }
   for (const char* area : {"archives", "shards"}) {
     for (const fs::path& entry : in_buckets(cache / area)) {

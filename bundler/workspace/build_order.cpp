@@ -138,7 +138,9 @@ Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
                    .span = package.xml.name.span,
                    .label = "the second",
                    .why = {"the first is in " + at->second->xml.file,
-                           "a file COLCON_IGNORE in a folder keeps that folder out"}});
+                           at->second->base == package.base
+                               ? "a file COLCON_IGNORE in a folder keeps that folder out"
+                               : "`packages:` of a source names the packages that are taken"}});
   }
   return errors;
 }

@@ -14,6 +14,7 @@
 #include "bundler/workspace/python_imports.hpp"
 #include "bundler/workspace/python_modules.hpp"
 #include "bundler/workspace/python_requirements.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -293,22 +294,6 @@ void drop_equal_names(std::vector<LocalPackage>& packages) {
   });
 }
 
-/// Plain packages need those of the workspace that their CMakeLists.txt asks for, and others need a
-/// plain one that theirs asks for.
-void order_plain_packages(std::vector<LocalPackage>& packages) {
-  std::map<std::string, bool> is_plain;
-  for (const LocalPackage& one : packages) is_plain[one.xml.name.value] = one.is_plain_cmake;
-  for (LocalPackage& package : packages) {
-    for (const Spanned<std::string>& asked : package.cmake_packages) {
-      const auto found = is_plain.find(asked.value);
-      if (found == is_plain.end() || asked.value == package.xml.name.value) continue;
-      if (package.is_plain_cmake || found->second)
-        package.xml.dependencies.push_back(
-            {.kind = DependencyKind::kBuild, .name = asked, .version_limits = {}});
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<fs::path> find_package_folders(const fs::path& root) {
@@ -357,36 +342,76 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                                   .why = {"it was looked for in " + base.string()}});
     }
   }
-  std::vector<LocalPackage> packages;
+  std::vector<fs::path> chosen;
   for (const auto& [real, folder] : folders) {
-    const bool is_plain = !has_package_xml(folder);
-    if (is_plain && is_inside_another(real, folders)) continue;
-    auto xml = is_plain ? plain_package(folder, base, shown_base)
-                        : read_package_xml(folder, base, shown_base, variables);
-    if (xml) {
-      const fs::path lists = folder / "CMakeLists.txt";
-      const auto cmake =
-          fs::exists(lists, error) ? read_file(lists, kMostOfText) : Outcome<std::string>("");
-      packages.push_back({.xml = std::move(xml).value(),
-                          .is_plain_cmake = is_plain,
-                          .directory = folder,
-                          .cmake_packages = cmake_packages(cmake ? *cmake : "",
-                                                           shown_path(lists, base, shown_base)),
-                          .has_cmake_lists = cmake && !cmake->empty(),
-                          .python_modules = python_modules(folder, base, shown_base),
-                          .python_uses = python_uses(folder, base, shown_base),
-                          .python_requirements = python_requirements(folder, base, shown_base),
-                          .python_files = python_files(folder),
-                          .launch_files = launch_files(folder),
-                          .launch_packages = packages_of_launch_files(folder, base, shown_base)});
-    } else {
-      errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());
+    if (has_package_xml(folder) || !is_inside_another(real, folders)) chosen.push_back(folder);
+  }
+  auto packages = read_packages(chosen, base, shown_base, variables);
+  if (!packages) append(errors, packages.errors());
+  if (!errors.empty()) return errors;
+  drop_equal_names(*packages);
+  order_plain_packages(*packages);
+  return packages;
+}
+
+Outcome<PackageXml> package_description(const fs::path& folder, const fs::path& base,
+                                        const fs::path& shown_base,
+                                        const ConditionVariables& variables) {
+  return has_package_xml(folder) ? read_package_xml(folder, base, shown_base, variables)
+                                 : plain_package(folder, base, shown_base);
+}
+
+Outcome<std::vector<LocalPackage>> read_packages(const std::vector<fs::path>& folders,
+                                                 const fs::path& base, const fs::path& shown_base,
+                                                 const ConditionVariables& variables) {
+  std::error_code error;
+  Diagnostics errors;
+  std::vector<LocalPackage> packages;
+  for (const fs::path& folder : folders) {
+    auto xml = package_description(folder, base, shown_base, variables);
+    if (!xml) {
+      append(errors, xml.errors());
+      continue;
     }
+    const fs::path lists = folder / "CMakeLists.txt";
+    const auto cmake =
+        fs::exists(lists, error) ? read_file(lists, kMostOfText) : Outcome<std::string>("");
+    packages.push_back(
+        {.xml = std::move(xml).value(),
+         .is_plain_cmake = !has_package_xml(folder),
+         .directory = folder,
+         .base = base,
+         .shown_base = shown_base,
+         .origin = {},
+         .cmake_packages = cmake_packages(cmake ? *cmake : "", shown_path(lists, base, shown_base)),
+         .has_cmake_lists = cmake && !cmake->empty(),
+         .python_modules = python_modules(folder, base, shown_base),
+         .python_uses = python_uses(folder, base, shown_base),
+         .python_requirements = python_requirements(folder, base, shown_base),
+         .python_files = python_files(folder),
+         .launch_files = launch_files(folder),
+         .launch_packages = packages_of_launch_files(folder, base, shown_base)});
   }
   if (!errors.empty()) return errors;
-  drop_equal_names(packages);
-  order_plain_packages(packages);
   return packages;
+}
+
+void order_plain_packages(std::vector<LocalPackage>& packages) {
+  std::map<std::string, bool> is_plain;
+  for (const LocalPackage& one : packages) is_plain[one.xml.name.value] = one.is_plain_cmake;
+  for (LocalPackage& package : packages) {
+    for (const Spanned<std::string>& asked : package.cmake_packages) {
+      const auto found = is_plain.find(asked.value);
+      if (found == is_plain.end() || asked.value == package.xml.name.value) continue;
+      const auto is_same = [&asked](const PackageDependency& one) {
+        return one.kind == DependencyKind::kBuild && one.name.value == asked.value;
+      };
+      auto& needs = package.xml.dependencies;
+      if ((package.is_plain_cmake || found->second) &&
+          std::none_of(needs.begin(), needs.end(), is_same))
+        needs.push_back({.kind = DependencyKind::kBuild, .name = asked, .version_limits = {}});
+    }
+  }
 }
 
 }  // namespace ros2wasm

@@ -17,6 +17,11 @@ struct LocalPackage {
   /// It has no package.xml: `xml` comes from its CMakeLists.txt.
   bool is_plain_cmake = false;
   std::filesystem::path directory;  ///< absolute
+  /// The workspace or the source that it belongs to: its links may lead anywhere in it.
+  std::filesystem::path base;
+  std::filesystem::path shown_base;  ///< the same as messages name it
+  /// The address and the commit that it comes from; empty: a folder of the user's.
+  std::string origin;
   /// Packages that its CMakeLists.txt asks for, whether package.xml names them or not.
   std::vector<Spanned<std::string>> cmake_packages;
   /// When false, it is unknown which packages it asks CMake for.
@@ -51,6 +56,21 @@ struct LocalPackage {
 [[nodiscard]] std::string shown_path(const std::filesystem::path& path,
                                      const std::filesystem::path& base,
                                      const std::filesystem::path& shown_base);
+/// The package in a folder as its package.xml or, without one, its CMakeLists.txt describes it.
+/// What its package.xml, or without one its CMakeLists.txt, says of the package in a folder.
+[[nodiscard]] Outcome<PackageXml> package_description(const std::filesystem::path& folder,
+                                                      const std::filesystem::path& base,
+                                                      const std::filesystem::path& shown_base,
+                                                      const ConditionVariables& variables);
+
+/// The packages in these folders, in that order.
+[[nodiscard]] Outcome<std::vector<LocalPackage>> read_packages(
+    const std::vector<std::filesystem::path>& folders, const std::filesystem::path& base,
+    const std::filesystem::path& shown_base, const ConditionVariables& variables);
+
+/// Plain CMake packages need those of the list that their CMakeLists.txt asks for, and others need
+/// a plain one that theirs asks for.
+void order_plain_packages(std::vector<LocalPackage>& packages);
 
 /// All packages that the entries name, each once, sorted by folder. A plain CMake folder with the
 /// name of another package is skipped: it holds firmware or the like. R2W0510 an entry

@@ -70,6 +70,18 @@ void put_library(std::string& out, const LockedLibrary& library) {
   put_list(out, indent, "depends", library.depends);
 }
 
+void put_source(std::string& out, const LockedSource& source) {
+  const std::string indent = "    ";
+  if (source.git.empty()) {
+    out.append("  - archive: ").append(as_yaml_text(source.archive)).append("\n");
+    return put_text(out, indent, "sha256", source.sha256);
+  }
+  out.append("  - git: ").append(as_yaml_text(source.git)).append("\n");
+  if (!source.revision.empty()) put_text(out, indent, "revision", source.revision);
+  put_text(out, indent, "commit", source.commit);
+  put_text(out, indent, "tree", source.tree);
+}
+
 }  // namespace
 
 std::string write_lock(const Lock& lock) {
@@ -90,6 +102,8 @@ std::string write_lock(const Lock& lock) {
             [](const PackageRecord* a, const PackageRecord* b) { return a->name < b->name; });
   out += packages.empty() ? "packages: []\n" : "packages:\n";
   for (const PackageRecord* record : packages) put_package(out, *record);
+  if (!lock.sources.empty()) out += "sources:\n";
+  for (const LockedSource& source : lock.sources) put_source(out, source);
   if (!lock.wheels.empty()) out += "wheels:\n";
   for (const LockedWheel& wheel : lock.wheels) put_wheel(out, wheel);
   if (lock.libraries.empty()) return out;

@@ -34,6 +34,18 @@ struct LockedLibrary {
   bool operator==(const LockedLibrary&) const = default;
 };
 
+/// A git repository or an archive that the manifest or a .repos file names.
+struct LockedSource {
+  std::string git;       ///< its address, or a path relative to the manifest; empty: an archive
+  std::string revision;  ///< that was asked for; empty: the default branch
+  std::string commit;    ///< that it was
+  std::string tree;      ///< git's hash of the commit's files
+  std::string archive;   ///< its address, or a path relative to the manifest
+  std::string sha256;
+
+  bool operator==(const LockedSource&) const = default;
+};
+
 struct Lock {
   int schema = 1;
   std::string platform = "emscripten-wasm32";
@@ -43,6 +55,7 @@ struct Lock {
   /// skipped.
   std::vector<std::string> absent;
   std::vector<PackageRecord> packages;   ///< sorted by name
+  std::vector<LockedSource> sources;     ///< sorted by place and revision
   std::vector<LockedWheel> wheels;       ///< sorted by project
   std::string python_index;              ///< where libraries come from; empty without any
   std::vector<LockedLibrary> libraries;  ///< sorted by project

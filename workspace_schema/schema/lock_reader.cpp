@@ -8,6 +8,7 @@
 #include "workspace_schema/base/yaml_scalar.hpp"
 #include "workspace_schema/conda/record_rules.hpp"
 #include "workspace_schema/schema/lock.hpp"
+#include "workspace_schema/schema/named_source.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -119,6 +120,7 @@ class Reader {
          {"specs", [&](const YamlNode& node) { texts(node, lock.specs); }},
          {"absent", [&](const YamlNode& node) { texts(node, lock.absent); }},
          {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }},
+         {"sources", [&](const YamlNode& node) { read_sources(node, lock.sources); }},
          {"wheels", [&](const YamlNode& node) { read_wheels(node, lock.wheels); }},
          {"python_index", [&](const YamlNode& node) { text(node, lock.python_index); }},
          {"libraries", [&](const YamlNode& node) { read_libraries(node, lock.libraries); }}},
@@ -143,6 +145,35 @@ class Reader {
     for (std::size_t i = 0; i < packages.size(); ++i) {
       if (++seen[packages[i].name] == 2)
         fail(node, "the package `" + packages[i].name + "` is there twice");
+    }
+  }
+
+  void read_sources(const YamlNode& node, std::vector<LockedSource>& sources) {
+    if (node.kind != YamlKind::kSequence) return fail(node, "a list is expected here");
+    for (const YamlNode& item : node.items) {
+      if (item.kind != YamlKind::kMap) {
+        fail(item, "a source is a map");
+        continue;
+      }
+      LockedSource& source = sources.emplace_back();
+      read_fields(item,
+                  {{"git", [&](const YamlNode& one) { text(one, source.git); }},
+                   {"revision", [&](const YamlNode& one) { text(one, source.revision); }},
+                   {"commit", [&](const YamlNode& one) { hash(one, source.commit, 40); }},
+                   {"tree", [&](const YamlNode& one) { hash(one, source.tree, 40); }},
+                   {"archive", [&](const YamlNode& one) { text(one, source.archive); }},
+                   {"sha256", [&](const YamlNode& one) { hash(one, source.sha256, 64); }}},
+                  {});
+      const bool is_whole = source.git.empty()
+                                ? !source.archive.empty() && !source.sha256.empty() &&
+                                      source.commit.empty() && source.tree.empty()
+                                : source.archive.empty() && source.sha256.empty() &&
+                                      !source.commit.empty() && !source.tree.empty();
+      if (!is_whole)
+        fail(item, "a source has `git`, `commit` and `tree`, or `archive` and `sha256`");
+      // A lock may be a stranger's, and git takes some texts for options.
+      if (!git_address_fault(source.git).empty() || !git_revision_fault(source.revision).empty())
+        fail(item, "git cannot be given this address or revision");
     }
   }
 

@@ -11,6 +11,7 @@
 
 #include "workspace_schema/base/diagnostic.hpp"
 #include "workspace_schema/conda/channel_priority.hpp"
+#include "workspace_schema/schema/named_source.hpp"
 
 namespace ros2wasm {
 
@@ -191,6 +192,7 @@ struct Manifest {
   std::vector<Spanned<std::string>> ignore_link_scripts;  ///< packages that need not run theirs
   std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
+  std::vector<NamedSource> sources;                ///< packages that lie elsewhere
   std::vector<WheelEntry> wheels;                  ///< for Python nodes, each project once
   /// Libraries of Pyodide's distribution, each with or without versions: "scipy", "pandas >=2".
   std::vector<Spanned<std::string>> python_packages;

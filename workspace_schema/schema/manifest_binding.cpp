@@ -221,6 +221,19 @@ std::optional<Spanned<std::string>> Binder::path(const YamlNode& node, const std
   return std::nullopt;
 }
 
+std::string Binder::sha256(const YamlNode& node) {
+  constexpr std::size_t kDigits = 64;
+  // One without letters is a number to YAML.
+  const auto hash = written(node, "sha256");
+  if (!hash) return {};
+  if (hash->value.size() == kDigits &&
+      hash->value.find_first_not_of("0123456789abcdef") == std::string::npos)
+    return hash->value;
+  error("R2W0103", "`sha256` must be 64 hexadecimal digits", node.range,
+        "as `sha256sum` writes them, in lower case");
+  return {};
+}
+
 Diagnostics Binder::errors_in_order() {
   const auto place = [](const Diagnostic& one) {
     return one.span ? std::pair(one.span->line, one.span->column) : std::pair(0U, 0U);

@@ -63,6 +63,8 @@ class Binder {
                                            NameCheck check);
   /// A relative path with forward slashes: R2W0114.
   std::optional<Spanned<std::string>> path(const YamlNode& node, const std::string& what);
+  /// The sha256 of a file, in lower case; empty when it is not one, which is reported.
+  std::string sha256(const YamlNode& node);
   /// R2W0104 for a text inside a scalar; `inner_offset` is where the checked text begins in the
   /// scalar's text.
   void name_error(const YamlNode& node, std::string message, std::size_t inner_offset,

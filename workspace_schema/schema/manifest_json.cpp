@@ -33,6 +33,23 @@ void texts(JsonWriter& json, std::string_view key,
   json.end_array();
 }
 
+void write_sources(JsonWriter& json, const std::vector<NamedSource>& sources) {
+  if (sources.empty()) return;
+  json.key("sources").begin_array();
+  for (const NamedSource& source : sources) {
+    json.begin_object().field(source_kind_word(source.kind), with_masked_secrets(source.place));
+    if (!source.revision.empty()) json.field("revision", source.revision);
+    if (!source.sha256.empty()) json.field("sha256", source.sha256);
+    if (!source.packages.empty()) {
+      json.key("packages").begin_array();
+      for (const std::string& name : source.packages) json.string(name);
+      json.end_array();
+    }
+    json.end_object();
+  }
+  json.end_array();
+}
+
 std::string_view output_word(NodeOutput output) {
   switch (output) {
     case NodeOutput::kScreen:
@@ -189,6 +206,7 @@ std::string manifest_json(const Manifest& manifest) {
   for (const auto& spec : manifest.dependencies) json.string(with_masked_secrets(spec.value));
   json.end_array();
   texts(json, "packages", manifest.packages);
+  write_sources(json, manifest.sources);
   write_python(json, manifest);
   json.key("launch");
   if (manifest.launch_file &&

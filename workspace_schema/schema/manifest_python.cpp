@@ -9,19 +9,13 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::string_view kForms = "a mapping with `file`, or with `url` and `sha256`";
-constexpr std::string_view kHexDigits = "0123456789abcdef";
+constexpr std::string_view kWheelForms = "a mapping with `file`, or with `url` and `sha256`";
 /// Which mean nothing to YAML.
 constexpr std::string_view kPlainLetters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
-constexpr std::size_t kSha256Digits = 64;
 
 std::string last_part(std::string_view place) {
   return std::string(place.substr(place.rfind('/') + 1));
-}
-
-bool is_sha256(const std::string& text) {
-  return text.size() == kSha256Digits && text.find_first_not_of(kHexDigits) == std::string::npos;
 }
 
 std::optional<Spanned<std::string>> read_address(Binder& binder, const YamlNode& node) {
@@ -32,16 +26,6 @@ std::optional<Spanned<std::string>> read_address(Binder& binder, const YamlNode&
                                    "begins with neither `https://` nor `http://`");
   wrong.why.push_back("a wheel beside the manifest is named with `file`");
   return std::nullopt;
-}
-
-std::string read_sha256(Binder& binder, const YamlNode& node) {
-  // One without letters is a number to YAML.
-  const auto text = binder.written(node, "sha256");
-  if (!text) return {};
-  if (is_sha256(text->value)) return text->value;
-  binder.error("R2W0103", "`sha256` must be 64 hexadecimal digits", node.range,
-               "as `sha256sum` writes them, in lower case");
-  return {};
 }
 
 void check_name(Binder& binder, const YamlNode& node, const Manifest& manifest,
@@ -80,7 +64,7 @@ void read_wheel(Binder& binder, const YamlNode& node, Manifest& manifest) {
   static const std::vector<KeyRow> kKeys{
       {"file", {"path", "wheel"}}, {"url", {"address", "uri"}}, {"sha256", {"hash", "sha"}}};
   if (!binder.mapping(node, "a wheel", kKeys)) {
-    Diagnostic& wrong = binder.wrong_type(node, "an item of `wheels`", kForms);
+    Diagnostic& wrong = binder.wrong_type(node, "an item of `wheels`", kWheelForms);
     if (node.kind == YamlKind::kScalar && node.text.ends_with(".whl") &&
         node.text.find_first_not_of(kPlainLetters) == std::string::npos)
       wrong.fix.push_back("write `{file: " + node.text + "}`");
@@ -97,12 +81,12 @@ void read_wheel(Binder& binder, const YamlNode& node, Manifest& manifest) {
   const YamlNode* place = file != nullptr ? file : url;
   if (place == nullptr) {
     if (Diagnostic* missing = binder.missing(node, "a wheel", "file"))
-      missing->why.push_back("it is " + std::string(kForms));
+      missing->why.push_back("it is " + std::string(kWheelForms));
     return;
   }
   WheelEntry entry{.place = {}, .is_url = url != nullptr, .sha256 = {}};
   if (sha256 != nullptr) {
-    entry.sha256 = read_sha256(binder, *sha256);
+    entry.sha256 = binder.sha256(*sha256);
   } else if (entry.is_url) {
     if (Diagnostic* missing = binder.missing(node, "a wheel from an address", "sha256"))
       missing->why.push_back("whoever has the address may put something else there");

@@ -14,6 +14,7 @@
 #include "workspace_schema/schema/manifest_citation.hpp"
 #include "workspace_schema/schema/manifest_launch.hpp"
 #include "workspace_schema/schema/manifest_python.hpp"
+#include "workspace_schema/schema/manifest_sources.hpp"
 #include "workspace_schema/schema/manifest_tasks.hpp"
 #include "workspace_schema/schema/page_layout.hpp"
 #include "workspace_schema/schema/page_origin.hpp"
@@ -66,7 +67,8 @@ const std::vector<KeyRow>& manifest_keys() {
       {"mirrors", {"mirrored_channels"}},
       {"ignore_link_scripts", {"allow_link_scripts", "link_scripts", "run-post-link-scripts"}},
       {"dependencies", {"depends", "depend", "deps", "requirements"}},
-      {"packages", {"package", "sources", "src"}},
+      {"packages", {"package", "src"}},
+      {"sources", {"source", "rosinstall", "vcs", "git"}},
       {"python", {"wheels", "pip"}},
       {"launch", {"nodes", "node", "run"}},
       {"programs", {"executables", "program"}},
@@ -132,6 +134,7 @@ class Reader {
       manifest_.citation = read_citation(binder_, *node, root_);
     if (const YamlNode* node = given("distro")) read_distro(*node);
     read_lists();
+    if (const YamlNode* node = given("sources")) read_sources(binder_, *node, manifest_);
     if (const YamlNode* node = given("python")) read_python(binder_, *node, manifest_);
     read_what_runs();
     if (const YamlNode* node = given("programs"))

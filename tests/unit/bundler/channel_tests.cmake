@@ -21,6 +21,7 @@ add_executable(bundler_channel_test
   resolve/solve_test.cpp
   store/environment_test.cpp
   store/cache_place_test.cpp
+  store/source_trees_test.cpp
   store/store_test.cpp
   workspace/foreign_environment_test.cpp
 )

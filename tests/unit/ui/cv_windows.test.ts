@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TopicView } from '../../../runtime/site/contract/session.ts';
-import { isWindow, keyCode, kNoControls, mouseEvent, readControls, windowsOf } from '../../../runtime/site/ui/model/cv_windows.ts';
+import { isWindow, windowsOf } from '../../../runtime/site/ui/model/cv_window_topics.ts';
+import { keyCode, kNoControls, mouseEvent, readControls } from '../../../runtime/site/ui/model/cv_windows.ts';
 
 const topic = (name: string, type: string, publishers: number) => ({ name, type, publishers }) as TopicView;
 

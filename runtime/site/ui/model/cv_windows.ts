@@ -1,20 +1,7 @@
-// Windows of cv2: a Python node publishes what imshow() shows on /cv2/NAME and its trackbars on /cv2/NAME/controls, and waits
-// for keys, trackbars and the mouse on /cv2/NAME/input (see runtime/packages/vendor/py_opencv/cv2/_windows.py).
+// Keys, trackbars and the mouse of a window of cv2 (cv_window_topics.ts): the program publishes its trackbars on
+// /cv2/NAME/controls, and waits for all three on /cv2/NAME/input.
 
-import type { TopicView } from '../../contract/session.ts';
 import { flagMember, member, numberMember, textMember } from './json.ts';
-
-const kTopic = /^\/cv2\/\w+$/;
-const kImage = 'sensor_msgs/msg/Image';
-
-export function isWindow(topic: string): boolean {
-  return kTopic.test(topic);
-}
-
-/** The windows that a node shows now. */
-export function windowsOf(topics: readonly TopicView[]): readonly string[] {
-  return topics.filter(({ name, type, publishers }) => type === kImage && isWindow(name) && publishers > 0).map(({ name }) => name);
-}
 
 /** As waitKey() gives them under GTK, cut to a byte. */
 const kNamed: ReadonlyMap<string, number> = new Map([

@@ -3,7 +3,8 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { PagePublisher, Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
-import { isWindow, kNoControls, readControls } from '../model/cv_windows.ts';
+import { isWindow } from '../model/cv_window_topics.ts';
+import { kNoControls, readControls } from '../model/cv_windows.ts';
 import type { WindowControls } from '../model/cv_windows.ts';
 import { textMember } from '../model/json.ts';
 import { feedFromPast } from './message_feed.ts';

@@ -2,7 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import type { Session } from '../../contract/session.ts';
-import { windowsOf } from '../model/cv_windows.ts';
+import { windowsOf } from '../model/cv_window_topics.ts';
 import type { Json } from '../model/json.ts';
 
 export function useCvWindows(session: Session, wanted: boolean, open: (panel: string, state: Json) => void): void {

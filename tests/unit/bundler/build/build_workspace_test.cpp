@@ -70,9 +70,8 @@ class WorkspaceBuildTest : public ::testing::Test {
                            .jobs = jobs};
     const auto left_out = left_out_packages(*packages, *order, {.names = {}, .of_lock = true},
                                             "jazzy", known_build_types());
-    return build_workspace(
-        *packages, *order, left_out, tools,
-        {.cache = tree_ / "cache", .base = tree_.root(), .builder_of = builder_of}, {}, {});
+    return build_workspace(*packages, *order, left_out, tools,
+                           {.cache = tree_ / "cache", .builder_of = builder_of}, {}, {});
   }
 
   [[nodiscard]] static std::string names(const WorkspaceBuild& build) {

@@ -1,0 +1,85 @@
+// See workspace_sources.hpp.
+#include "bundler/workspace_sources.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "bundler/io/files.hpp"
+#include "bundler/store/cache_care.hpp"
+#include "bundler/workspace/source_packages.hpp"
+
+namespace ros2wasm {
+namespace {
+
+std::string name_of(const LockedSource& source) {
+  return source_name(source.git.empty() ? source.archive : source.git);
+}
+
+/// Those of the lock that are not chosen anew.
+Outcome<std::vector<LockedSource>> locked_sources(const SourcesRequest& request) {
+  const std::filesystem::path file = request.folder / kLockFileName;
+  if (is_absent(file) || request.update.everything) return std::vector<LockedSource>();
+  auto lock = read_lock_file(file);
+  if (!lock) return std::move(lock).errors();
+  const std::vector<std::string>& names = request.update.names;
+  std::erase_if(lock->sources, [&names](const LockedSource& one) {
+    return std::find(names.begin(), names.end(), name_of(one)) != names.end();
+  });
+  return std::move(lock->sources);
+}
+
+}  // namespace
+
+Outcome<WorkspaceSources> add_source_packages(
+    const Manifest& manifest, const SourcesRequest& request, const ChannelRoots& roots,
+    const ExtractLimits& limits, std::vector<LocalPackage>& packages,
+    const Cancellation& cancellation, const ProgressSink& progress) {
+  WorkspaceSources sources;
+  if (manifest.sources.empty()) return sources;
+  auto locked = locked_sources(request);
+  if (!locked) return std::move(locked).errors();
+  if (auto marked = mark_cache(roots.cache); !marked) return std::move(marked).errors();
+  begin_step(progress, "fetch");
+  auto trees = bring_source_trees({.entries = manifest.sources,
+                                   .locked = *std::move(locked),
+                                   .must_be_locked = request.must_be_locked},
+                                  roots, limits, cancellation, progress);
+  if (!trees) return std::move(trees).errors();
+  auto chosen = choose_source_packages(*trees, packages, request.shown_folder,
+                                       ros_condition_variables(manifest.distro));
+  if (!chosen) return std::move(chosen).errors();
+  for (LocalPackage& package : chosen->packages) {
+    if (package.origin.empty()) sources.watched.push_back(package.directory);
+    packages.push_back(std::move(package));
+  }
+  for (const NamedSource& entry : manifest.sources) {
+    if (entry.kind == SourceKind::kRepos) sources.watched.push_back(request.folder / entry.place);
+  }
+  order_plain_packages(packages);
+  sources.trees = std::move(*trees);
+  sources.remarks = std::move(chosen->remarks);
+  return sources;
+}
+
+std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees) {
+  std::vector<LockedSource> sources;
+  for (const SourceTree& tree : trees) {
+    if (!tree.can_change) sources.push_back(tree.locked);
+  }
+  std::sort(sources.begin(), sources.end(), [](const LockedSource& a, const LockedSource& b) {
+    return std::tie(a.git, a.archive, a.revision) < std::tie(b.git, b.archive, b.revision);
+  });
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+  return sources;
+}
+
+LockUpdate without_sources(LockUpdate update, const std::vector<SourceTree>& trees) {
+  std::erase_if(update.names, [&trees](const std::string& name) {
+    return std::any_of(trees.begin(), trees.end(), [&name](const SourceTree& tree) {
+      return !tree.can_change && tree.entry.name == name;
+    });
+  });
+  return update;
+}
+
+}  // namespace ros2wasm

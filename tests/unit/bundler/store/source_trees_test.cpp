@@ -1,0 +1,376 @@
+// Sources from real git repositories and archives: what is fetched, cached, refused and noticed.
+#include "bundler/store/source_trees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "bundler/io/sha256.hpp"
+#include "bundler/store/cache_care.hpp"
+#include "unit/bundler/support/temporary_tree.hpp"
+#include "workspace_schema/schema/named_source.hpp"
+#include "workspace_schema/schema/repos_file.hpp"
+
+namespace ros2wasm {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SourceTrees : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(tree_ / "lab");
+    roots_.working_directory = tree_ / "lab";
+    roots_.cache = tree_ / "cache";
+  }
+
+  /// By a shell in `folder`, as an author would.
+  void shell(const std::string& folder, const std::string& script) const {
+    const std::string who =
+        "export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1 GIT_AUTHOR_NAME=a "
+        "GIT_AUTHOR_EMAIL=a@example.org GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@example.org "
+        "GIT_ALLOW_PROTOCOL=file; unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE; set -e; cd '" +
+        (tree_ / folder).string() + "'; ";
+    ASSERT_EQ(std::system(("exec >/dev/null 2>&1; " + who + script).c_str()), 0)  // NOLINT
+        << script;
+  }
+
+  /// A repository with a file, and a tag `1.0` of it.
+  void make_repository(const std::string& folder) const {
+    fs::create_directories(tree_ / folder);
+    tree_.write(folder + "/arm/package.xml", "<package/>");
+    tree_.write(folder + "/arm/run.sh", "#!/bin/sh\n");
+    shell(folder,
+          "chmod +x arm/run.sh; ln -s run.sh arm/start; git init -q -b main; "
+          "git add -A; git commit -qm one; git tag -a -m one 1.0");
+  }
+
+  NamedSource git(const std::string& place, const std::string& revision = {}) const {
+    return {.kind = SourceKind::kGit,
+            .place = place,
+            .revision = revision,
+            .sha256 = {},
+            .name = source_name(place),
+            .packages = {},
+            .package_places = {},
+            .span = {}};
+  }
+
+  Outcome<std::vector<SourceTree>> bring(const std::vector<NamedSource>& entries,
+                                         std::vector<LockedSource> locked = {},
+                                         bool must_be_locked = false) const {
+    return bring_source_trees(
+        {.entries = entries, .locked = std::move(locked), .must_be_locked = must_be_locked}, roots_,
+        limits_, {}, {});
+  }
+
+  std::string codes(const Outcome<std::vector<SourceTree>>& trees) const {
+    std::string text;
+    if (trees) return "none";
+    for (const Diagnostic& one : trees.errors())
+      text += (text.empty() ? "" : " ") + std::string(one.code);
+    return text;
+  }
+
+  static std::string read(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  testing::TemporaryTree tree_;
+  ChannelRoots roots_;
+  ExtractLimits limits_;
+};
+
+TEST_F(SourceTrees, ATagIsFetchedOnceAndLockedByItsCommit) {
+  make_repository("upstream");
+  const auto first = bring({git("../upstream", "1.0")});
+  ASSERT_TRUE(first.ok()) << first.errors()[0].message;
+  const SourceTree& tree = first->front();
+  EXPECT_TRUE(tree.is_new);
+  EXPECT_EQ(tree.locked.revision, "1.0");
+  EXPECT_EQ(tree.locked.commit.size(), 40U);
+  EXPECT_EQ(tree.locked.tree.size(), 40U);
+  EXPECT_EQ(read(tree.folder / "arm/package.xml"), "<package/>");
+  EXPECT_NE(fs::status(tree.folder / "arm/run.sh").permissions() & fs::perms::owner_exec,
+            fs::perms::none);
+  EXPECT_EQ(fs::read_symlink(tree.folder / "arm/start"), "run.sh");
+  EXPECT_FALSE(fs::exists(tree.folder / ".git"));
+
+  // A tag that moves changes nothing while the lock has its commit; without the lock it counts.
+  shell("upstream", "echo new >arm/new; git add -A; git commit -qm two; git tag -f -a -m two 1.0");
+  const auto second = bring({git("../upstream", "1.0")}, {tree.locked}, true);
+  ASSERT_TRUE(second.ok());
+  EXPECT_FALSE(second->front().is_new);
+  EXPECT_FALSE(fs::exists(second->front().folder / "arm/new"));
+  const auto third = bring({git("../upstream", "1.0")});
+  ASSERT_TRUE(third.ok());
+  EXPECT_TRUE(fs::exists(third->front().folder / "arm/new"));
+  EXPECT_NE(third->front().locked.commit, tree.locked.commit);
+}
+
+TEST_F(SourceTrees, TheDefaultBranchABranchAndACommitAreRevisions) {
+  make_repository("upstream");
+  shell("upstream",
+        "git checkout -qb rooms/big; echo 2 >arm/rooms; git add -A; git commit -qm two; "
+        "git checkout -q main");
+  const auto trees = bring({git("../upstream"), git("../upstream", "rooms/big")});
+  ASSERT_TRUE(trees.ok()) << trees.errors()[0].message;
+  EXPECT_FALSE(fs::exists((*trees)[0].folder / "arm/rooms"));
+  EXPECT_TRUE(fs::exists((*trees)[1].folder / "arm/rooms"));
+  const std::string commit = (*trees)[1].locked.commit;
+  fs::remove_all(roots_.cache);
+  const auto again = bring({git("../upstream", commit)});
+  ASSERT_TRUE(again.ok()) << again.errors()[0].message;
+  EXPECT_EQ(again->front().locked.commit, commit);
+  EXPECT_TRUE(fs::exists(again->front().folder / "arm/rooms"));
+}
+
+TEST_F(SourceTrees, WhatCannotBeHadIsNamed) {
+  make_repository("upstream");
+  auto trees = bring({git("../upstream", "1.O"), git("../nothing")});
+  ASSERT_EQ(codes(trees), "R2W0252 R2W0251");
+  EXPECT_EQ(trees.errors()[0].fix, std::vector<std::string>{"write `revision: 1.0`"});
+  EXPECT_EQ(codes(bring({git("../upstream", std::string(40, 'a'))})), "R2W0252");
+  EXPECT_EQ(codes(bring({git("../upstream", "1.0")}, {}, true)), "R2W0311");
+  // A locked commit that the repository has lost is not taken from its tag.
+  auto first = bring({git("../upstream", "1.0")});
+  ASSERT_TRUE(first.ok());
+  fs::remove_all(roots_.cache);
+  shell("upstream",
+        "git commit -q --amend -m other; git tag -f -a -m x 1.0; "
+        "git reflog expire --expire=now --all; git gc -q --prune=now");
+  trees = bring({git("../upstream", "1.0")}, {first->front().locked});
+  ASSERT_EQ(codes(trees), "R2W0252");
+  EXPECT_EQ(trees.errors()[0].fix, std::vector<std::string>{"ros2wasm lock --update upstream"});
+}
+
+TEST_F(SourceTrees, OfflineOnlyWhatIsHereIsTaken) {
+  make_repository("upstream");
+  const auto first = bring({git("file://" + (tree_ / "upstream").string(), "1.0")});
+  ASSERT_TRUE(first.ok()) << first.errors()[0].message;
+  LockedSource locked = first->front().locked;
+  locked.git = "https://example.org/upstream.git";
+  roots_.network.offline = true;
+  EXPECT_TRUE(bring({git(locked.git, "1.0")}, {locked}).ok());
+  EXPECT_EQ(codes(bring({git(locked.git, "1.1")})), "R2W0253");
+}
+
+TEST_F(SourceTrees, ChangedFilesOfTheCacheAreNoticed) {
+  make_repository("upstream");
+  const auto first = bring({git("../upstream", "1.0")});
+  ASSERT_TRUE(first.ok());
+  const fs::path file = first->front().folder / "arm/package.xml";
+  std::ofstream(file) << "<package/>\n<!-- changed -->";
+  const auto check = check_cache(roots_.cache, {});
+  ASSERT_TRUE(check.ok());
+  ASSERT_EQ(check->faults.size(), 1U);
+  EXPECT_EQ(check->faults[0].reason, "its files are not those that were fetched");
+  const auto second = bring({git("../upstream", "1.0")}, {first->front().locked});
+  ASSERT_TRUE(second.ok());
+  EXPECT_TRUE(second->front().is_new);
+  EXPECT_EQ(read(file), "<package/>");
+  EXPECT_TRUE(check_cache(roots_.cache, {})->faults.empty());
+}
+
+TEST_F(SourceTrees, SubmodulesComeAtTheirCommits) {
+  make_repository("parts");
+  make_repository("upstream");
+  shell("upstream",
+        "git submodule add -q ../parts external/parts; git commit -qm sub; git tag 2.0");
+  shell("parts", "echo later >arm/later; git add -A; git commit -qm later");
+  const auto trees = bring({git("../upstream", "2.0")});
+  ASSERT_TRUE(trees.ok()) << trees.errors()[0].message << trees.errors()[0].why[0];
+  EXPECT_EQ(read(trees->front().folder / "external/parts/arm/package.xml"), "<package/>");
+  EXPECT_FALSE(fs::exists(trees->front().folder / "external/parts/arm/later"));
+}
+
+TEST_F(SourceTrees, HooksFiltersAndAttributesOfARepositoryStartNothing) {
+  make_repository("upstream");
+  const std::string made = (tree_ / "started").string();
+  tree_.write("upstream/.gitattributes", "* filter=start\n");
+  shell("upstream", "git add -A; git commit -qm filter; git config filter.start.smudge 'touch " +
+                        made +
+                        "'; for one in post-checkout post-merge post-index-change; do "
+                        "printf '#!/bin/sh\\ntouch " +
+                        made +
+                        "\\n' >.git/hooks/$one; "
+                        "chmod +x .git/hooks/$one; done");
+  const auto trees = bring({git("../upstream")});
+  ASSERT_TRUE(trees.ok()) << trees.errors()[0].message;
+  EXPECT_EQ(read(trees->front().folder / "arm/package.xml"), "<package/>");
+  EXPECT_FALSE(fs::exists(made));
+}
+
+TEST_F(SourceTrees, LinksOutOfARepositoryAreRemoved) {
+  make_repository("upstream");
+  shell("upstream",
+        "ln -s /etc/passwd arm/users; ln -s ../../.. up; git add -A; git commit -qm out");
+  const auto trees = bring({git("../upstream")});
+  ASSERT_TRUE(trees.ok());
+  EXPECT_FALSE(fs::exists(fs::symlink_status(trees->front().folder / "arm/users")));
+  EXPECT_FALSE(fs::exists(fs::symlink_status(trees->front().folder / "up")));
+  EXPECT_EQ(trees->front().left_out, (std::vector<std::string>{"arm/users", "up"}));
+}
+
+TEST_F(SourceTrees, TreesBeyondTheLimitsAreRefusedBeforeTheyAreWritten) {
+  make_repository("upstream");
+  shell("upstream", "head -c 3000000 /dev/zero >zeros; git add -A; git commit -qm zeros");
+  limits_.total_bytes = 2'000'000;
+  EXPECT_EQ(codes(bring({git("../upstream")})), "R2W0254");
+  limits_ = {};
+  limits_.members = 2;
+  EXPECT_EQ(codes(bring({git("../upstream")})), "R2W0254");
+  // Also a server that sends more than that is cut off.
+  limits_ = {};
+  limits_.total_bytes = 100'000;
+  shell("upstream", "head -c 300000 /dev/urandom >noise; git add -A; git commit -qm noise");
+  EXPECT_EQ(codes(bring({git("../upstream")})), "R2W0251");
+  EXPECT_FALSE(fs::exists(source_place(roots_.cache, "x").parent_path()));
+}
+
+/// A tree that git itself would not make.
+TEST_F(SourceTrees, HostileTreesWriteNothingOutside) {
+  make_repository("upstream");
+  const std::string plant =
+      "blob=$(echo planted | git hash-object -w --stdin); "
+      "tree=$(printf '100644 blob %s\\t%s\\n' $blob NAME | git mktree --missing); "
+      "commit=$(git commit-tree -m x $tree); git update-ref refs/heads/bad $commit";
+  for (const std::string name : {"..", ".git", "a\\001b"}) {
+    std::string script = plant;
+    script.replace(script.find("NAME"), 4, "$(printf '" + name + "')");
+    shell("upstream", script);
+    const std::string found = codes(bring({git("../upstream", "bad")}));
+    EXPECT_TRUE(found == "R2W0251" || found == "R2W0254") << name << ": " << found;
+  }
+}
+
+TEST_F(SourceTrees, SubmodulesOfAForeignRepositoryDoNotLeadHere) {
+  EXPECT_EQ(git_address_fault("ext::sh -c touch% x"),
+            "an address begins with https://, http://, ssh:// or file://");
+  make_repository("secret");
+  make_repository("upstream");
+  tree_.write("upstream/.gitmodules",
+              "[submodule \"s\"]\n\tpath = s\n\turl = --upload-pack=touch\n");
+  shell("upstream",
+        "git update-index --add --cacheinfo 160000,$(git -C ../secret rev-parse HEAD),s; "
+        "git add .gitmodules; git commit -qm sub");
+  EXPECT_NE(codes(bring({git("../upstream")})), "none");
+}
+
+TEST_F(SourceTrees, ArchivesAreUnpackedByTheirHash) {
+  fs::create_directories(tree_ / "lab/stage/arm");
+  tree_.write("lab/stage/arm/package.xml", "<package/>");
+  for (const auto& [file, command] :
+       {std::pair<std::string, std::string>{"a.tar.gz", "tar -czf a.tar.gz stage"},
+        {"a.tar.bz2", "tar -cjf a.tar.bz2 stage"},
+        {"a.tar.xz", "tar -cJf a.tar.xz stage"},
+        {"a.zip", "python3 -m zipfile -c a.zip stage"}}) {
+    shell("lab", command);
+    NamedSource entry = git(file);
+    entry.kind = SourceKind::kArchive;
+    const auto first = bring({entry});
+    ASSERT_TRUE(first.ok()) << file << ": " << first.errors()[0].message;
+    EXPECT_EQ(read(first->front().folder / "stage/arm/package.xml"), "<package/>") << file;
+    const LockedSource locked = first->front().locked;
+    EXPECT_EQ(locked.sha256, hash_file(tree_ / ("lab/" + file))->sha256);
+    EXPECT_TRUE(bring({entry}, {locked}, true).ok());
+    entry.sha256 = std::string(64, '0');
+    EXPECT_EQ(codes(bring({entry})), "R2W0220");
+  }
+  // Another file under the same name is not what the lock has.
+  NamedSource entry = git("a.zip");
+  entry.kind = SourceKind::kArchive;
+  const LockedSource locked = bring({entry})->front().locked;
+  shell("lab", "echo more >stage/more; python3 -m zipfile -c a.zip stage");
+  EXPECT_EQ(codes(bring({entry}, {locked}, true)), "R2W0311");
+}
+
+TEST_F(SourceTrees, HostileArchivesWriteNothing) {
+  shell("lab",
+        "python3 - <<'END'\nimport io, tarfile\n"
+        "def tar(name, *members):\n"
+        "    with tarfile.open(name, 'w:gz') as out:\n"
+        "        for path, kind, target in members:\n"
+        "            one = tarfile.TarInfo(path)\n"
+        "            one.type = kind\n"
+        "            one.linkname = target\n"
+        "            out.addfile(one, io.BytesIO(b''))\n"
+        "tar('up.tar.gz', ('../out', tarfile.REGTYPE, ''))\n"
+        "tar('link.tar.gz', ('a', tarfile.SYMTYPE, '/etc'), ('a/b', tarfile.REGTYPE, ''))\n"
+        "tar('pipe.tar.gz', ('a', tarfile.FIFOTYPE, ''))\n"
+        "END\nprintf 'not an archive' >text.tar.gz");
+  const auto of = [&](const std::string& file) {
+    NamedSource entry = git(file);
+    entry.kind = SourceKind::kArchive;
+    return codes(bring({entry}));
+  };
+  EXPECT_EQ(of("up.tar.gz"), "R2W0222");
+  EXPECT_EQ(of("link.tar.gz"), "R2W0223");
+  EXPECT_EQ(of("pipe.tar.gz"), "R2W0222");
+  EXPECT_EQ(of("text.tar.gz"), "R2W0221");
+  EXPECT_FALSE(fs::exists(tree_ / "cache/sources/out"));
+}
+
+TEST_F(SourceTrees, AReposFileNamesSeveral) {
+  make_repository("upstream");
+  tree_.write(
+      "lab/course.repos",
+      "repositories:\n  group/arm:\n    type: git\n    url: ../upstream\n    version: 1.0\n");
+  NamedSource entry = git("course.repos");
+  entry.kind = SourceKind::kRepos;
+  const auto trees = bring({entry});
+  ASSERT_TRUE(trees.ok()) << trees.errors()[0].message;
+  EXPECT_EQ(trees->front().entry.name, "upstream");
+  EXPECT_EQ(trees->front().entry.revision, "1.0");
+  tree_.write("lab/course.repos", "repositories:\n  a: {type: hg, url: https://example.org/a}\n");
+  EXPECT_EQ(codes(bring({entry})), "R2W0250");
+}
+
+TEST(NamedSource, AddressesThatGitIsNotGiven) {
+  for (const char* good :
+       {"https://example.org/a.git", "http://127.0.0.1:80/a", "ssh://git@example.org:2222/a.git",
+        "file:///srv/a", "git@example.org:group/a.git", "../a", "a"})
+    EXPECT_EQ(git_address_fault(good), "") << good;
+  for (const char* bad :
+       {"-a", "--upload-pack=touch", "ext::sh", "git://example.org/a", "ssh://-oProxyCommand=x/a",
+        "ssh://a@-oProxyCommand=x/a", "a@-o:b", "https://me:secret@example.org/a", "a\nb"})
+    EXPECT_NE(git_address_fault(bad), "") << bad;
+  for (const char* good : {"1.0", "main", "feature/rooms", "v2-rc1", ""})
+    EXPECT_EQ(git_revision_fault(good), "") << good;
+  for (const char* bad : {"--all", "a..b", "a b", "a:b", "main~1", "@{1}", "a^", "a\tb"})
+    EXPECT_NE(git_revision_fault(bad), "") << bad;
+  EXPECT_EQ(source_name("https://example.org/ros/navigation2.git"), "navigation2");
+  EXPECT_EQ(source_name("git@example.org:arm.git/"), "arm");
+  EXPECT_EQ(source_name("https://example.org/models-2.1.tar.gz"), "models-2.1");
+  EXPECT_EQ(source_name("../.."), "source");
+}
+
+TEST(ReposFile, MistakesHaveTheirPlaces) {
+  const auto read = read_repos_file(
+      "repositories:\n"
+      "  a: {type: svn, url: https://example.org/a}\n"
+      "  b: {type: git}\n"
+      "  c: {type: git, url: -x}\n"
+      "  d: {type: tar, url: https://example.org/d.tar.gz}\n"
+      "  e: {url: https://example.org/e.git}\n"
+      "  f: {type: git, url: https://example.org/f.git, version: --all}\n",
+      "course.repos");
+  ASSERT_FALSE(read.ok());
+  std::vector<std::uint32_t> lines;
+  for (const Diagnostic& one : read.errors()) {
+    EXPECT_EQ(one.code, "R2W0250");
+    lines.push_back(one.span->line);
+  }
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{2, 3, 4, 5, 6, 7}));
+  EXPECT_FALSE(read_repos_file("a: [", "x").ok());
+  EXPECT_FALSE(read_repos_file("- a", "x").ok());
+  const auto good = read_repos_file(
+      "repositories:\n  x/a:\n    type: git\n    url: https://example.org/a.git\n    version: 2\n",
+      "x");
+  ASSERT_TRUE(good.ok());
+  EXPECT_EQ(good->front().revision, "2");
+}
+
+}  // namespace
+}  // namespace ros2wasm

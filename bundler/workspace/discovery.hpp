@@ -56,8 +56,8 @@ struct LocalPackage {
 [[nodiscard]] std::string shown_path(const std::filesystem::path& path,
                                      const std::filesystem::path& base,
                                      const std::filesystem::path& shown_base);
+
 /// The package in a folder as its package.xml or, without one, its CMakeLists.txt describes it.
-/// What its package.xml, or without one its CMakeLists.txt, says of the package in a folder.
 [[nodiscard]] Outcome<PackageXml> package_description(const std::filesystem::path& folder,
                                                       const std::filesystem::path& base,
                                                       const std::filesystem::path& shown_base,

@@ -11,6 +11,7 @@
 #include "bundler/languages/language.hpp"
 #include "bundler/notebook_files.hpp"
 #include "bundler/python_libraries_of_site.hpp"
+#include "bundler/released_packages.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/workspace/bringup_file.hpp"
 #include "bundler/workspace/build_order.hpp"
@@ -200,18 +201,16 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (!channels) return std::move(channels).errors();
   auto& [roots, addresses] = *channels;
   roots.network.offline = request.offline;
-  auto sources = add_source_packages(manifest,
-                                     {.folder = workspace.folder,
-                                      .shown_folder = workspace.shown_folder,
-                                      .update = request.update,
-                                      .must_be_locked = request.locked || request.frozen},
-                                     roots, *limits, *packages, cancellation, progress);
+  const SourcesRequest sources_request{.folder = workspace.folder,
+                                       .shown_folder = workspace.shown_folder,
+                                       .update = request.update,
+                                       .must_be_locked = request.locked || request.frozen};
+  auto sources = add_source_packages(manifest, sources_request, roots, *limits, *packages,
+                                     cancellation, progress);
   if (!sources) return std::move(sources).errors();
-  workspace.source_trees = std::move(sources->trees);
-  workspace.watched.insert(workspace.watched.end(), sources->watched.begin(),
-                           sources->watched.end());
-  workspace.remarks.insert(workspace.remarks.end(), sources->remarks.begin(),
-                           sources->remarks.end());
+  // Before anybody is asked for anything: mistakes that what is there shows.
+  if (auto known = order_packages(*packages, manifest.distro); !known)
+    return std::move(known).errors();
   auto compiler = find_compiler(request.variables);
   if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))
     return std::move(compiler).errors();
@@ -223,12 +222,9 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
   auto wheels = read_wheels(manifest, roots, *limits, true, cancellation);
   if (!wheels) return std::move(wheels).errors();
-  drop_met_by_wheels(*wheels, manifest.distro, *packages);
   for (const WheelEntry& wheel : manifest.wheels) {
     if (!wheel.is_url) workspace.watched.push_back(workspace.folder / wheel.place.value);
   }
-  auto order = order_packages(*packages, manifest.distro);
-  if (!order) return std::move(order).errors();
   KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
   std::vector<LockedLibrary> frozen_libraries;
   std::vector<PackageRecord> packaged;  // for versions of the compiler
@@ -258,6 +254,20 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     if (!compilers) return compilers.errors();
     packaged = compilers->records;
   }
+  if (auto added = add_released_packages(manifest, sources_request, roots, *limits, known.names,
+                                         *packages, *sources, cancellation, progress);
+      !added)
+    return std::move(added).errors();
+  if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))
+    return std::move(compiler).errors();
+  workspace.source_trees = std::move(sources->trees);
+  workspace.watched.insert(workspace.watched.end(), sources->watched.begin(),
+                           sources->watched.end());
+  workspace.remarks.insert(workspace.remarks.end(), sources->remarks.begin(),
+                           sources->remarks.end());
+  drop_met_by_wheels(*wheels, manifest.distro, *packages);
+  auto order = order_packages(*packages, manifest.distro);
+  if (!order) return std::move(order).errors();
   compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
   if (!compiler) return std::move(compiler).errors();
   auto more =

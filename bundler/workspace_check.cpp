@@ -18,6 +18,7 @@
 #include "bundler/launch/unsupported_programs.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/python_libraries_of_site.hpp"
+#include "bundler/released_packages.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/cache_place.hpp"
 #include "bundler/workspace/build_order.hpp"
@@ -219,20 +220,23 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
   const auto channels = workspace_channels(asked, folder, request.executable, request.variables);
   if (!channels) append(errors, channels.errors());
+  WorkspaceSources sources;
+  ChannelRoots roots = channels ? channels->roots : ChannelRoots();
+  roots.network.offline = true;
+  const SourcesRequest sources_request{.folder = folder,
+                                       .shown_folder = request.manifest.parent_path()};
   bool has_sources = true;
   if (packages && channels) {
-    ChannelRoots roots = channels->roots;
-    roots.network.offline = true;
-    const auto sources = add_source_packages(
-        report.manifest, {.folder = folder, .shown_folder = request.manifest.parent_path()}, roots,
-        {}, report.packages, cancellation, {});
-    if (!sources) has_sources = add_source_faults(sources.errors(), errors, report.warnings);
+    auto added = add_source_packages(report.manifest, sources_request, roots, {}, report.packages,
+                                     cancellation, {});
+    if (added) sources = std::move(*added);
+    if (!added) has_sources = add_source_faults(added.errors(), errors, report.warnings);
   }
   const auto wheels = channels ? read_wheels(asked, channels->roots, {}, false, cancellation)
                                : std::vector<NamedWheel>();
   if (!wheels) append(errors, wheels.errors());
   if (wheels) drop_met_by_wheels(*wheels, report.manifest.distro, report.packages);
-  const auto order = order_packages(report.packages, report.manifest.distro);
+  auto order = order_packages(report.packages, report.manifest.distro);
   if (!order) append(errors, order.errors());
   append(errors, check_parameters(report.manifest, folder));
   if (const auto page = read_page_files(folder, report.manifest)) {
@@ -249,20 +253,26 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   append(report.warnings, check_worlds(report.packages, folder, request.manifest.parent_path()));
 
   // A program without its channel says so when it packs; the manifest is not to blame.
-  const bool names_are_known =
-      packages && order && channels && has_sources && embedded_only(*channels);
+  bool names_are_known = packages && order && channels && has_sources && embedded_only(*channels);
   KnownNames known{.names = {}, .of_lock = !names_are_known, .absent = {}};
   if (names_are_known) {
     const auto open = open_channels(channels->addresses, channels->roots, cancellation);
     if (!open) return open.errors();
     known.names = open->names();
+    const auto added =
+        add_released_packages(report.manifest, sources_request, roots, {}, known.names,
+                              report.packages, sources, cancellation, {});
+    if (!added) names_are_known = add_source_faults(added.errors(), errors, report.warnings);
+    order = order_packages(report.packages, report.manifest.distro);
+    if (!order) append(errors, order.errors());
     if (wheels) append(errors, meet_by_libraries(request, folder, *wheels, known, report));
   }
+  known.of_lock = !names_are_known;
   const auto left_out = order ? left_out_packages(report.packages, *order, known,
                                                   report.manifest.distro, known_build_types())
                               : LeftOutPackages();
   for (const auto& [index, reason] : left_out) report.warnings.push_back(reason.warning);
-  if (names_are_known) append(errors, check_names(report, left_out, known));
+  if (names_are_known && order) append(errors, check_names(report, left_out, known));
   if (!errors.empty()) {
     // A skipped package may be the reason, so report the warnings too.
     append(errors, report.warnings);

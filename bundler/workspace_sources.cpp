@@ -12,10 +12,12 @@ namespace ros2wasm {
 namespace {
 
 std::string name_of(const LockedSource& source) {
+  if (!source.package.empty()) return source.package;
   return source_name(source.git.empty() ? source.archive : source.git);
 }
 
-/// Those of the lock that are not chosen anew.
+}  // namespace
+
 Outcome<std::vector<LockedSource>> locked_sources(const SourcesRequest& request) {
   const std::filesystem::path file = request.folder / kLockFileName;
   if (is_absent(file) || request.update.everything) return std::vector<LockedSource>();
@@ -27,8 +29,6 @@ Outcome<std::vector<LockedSource>> locked_sources(const SourcesRequest& request)
   });
   return std::move(lock->sources);
 }
-
-}  // namespace
 
 Outcome<WorkspaceSources> add_source_packages(
     const Manifest& manifest, const SourcesRequest& request, const ChannelRoots& roots,

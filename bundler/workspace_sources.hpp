@@ -34,6 +34,9 @@ struct WorkspaceSources {
     const ExtractLimits& limits, std::vector<LocalPackage>& packages,
     const Cancellation& cancellation, const ProgressSink& progress);
 
+/// The sources of the lock that are not chosen anew; none when there is no lock.
+[[nodiscard]] Outcome<std::vector<LockedSource>> locked_sources(const SourcesRequest& request);
+
 /// As they go into the lock: each once, sorted.
 [[nodiscard]] std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees);
 

@@ -229,6 +229,8 @@ class Bringer {
  private:
   /// Those of a .repos file in its place.
   Outcome<std::vector<NamedSource>> with_repos(const NamedSource& entry) const {
+    // Packages of a distribution are asked for one by one, as git repositories.
+    if (entry.kind == SourceKind::kDistribution) return std::vector<NamedSource>();
     if (entry.kind != SourceKind::kRepos) return std::vector<NamedSource>{entry};
     const auto text = read_file(roots_.working_directory / entry.place, kMostOfText);
     if (!text) return text.errors();

@@ -323,6 +323,10 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
     } else if (const auto similar = similar_name(dependency.name, known, distro)) {
       diagnostic.why.push_back("a channel has `" + *similar + "`");
     }
+    if (!dependency.can_be_missing && !known.of_lock)
+      diagnostic.why.emplace_back(
+          "`sources:` can name a git repository that has it, or a distribution file that has "
+          "released it");
     if (dependency.can_be_missing)
       diagnostic.why.emplace_back(
           dependency.needed_to_build

@@ -29,8 +29,8 @@ LeftOutReason left_out_for(const LocalPackage& package, const Dependencies& lack
   }
   const std::string cause = "no channel has " + name_list(names) + ", which it needs";
   why.emplace_back(
-      "it is packed when the sources of what it lacks are in the workspace, or `channels:` names a "
-      "channel that has it");
+      "it is packed when what it lacks is in the workspace, `sources:` names a git repository that "
+      "has it or a distribution file that has released it, or `channels:` a channel that has it");
   return {.chain = {with_place(cause, lacks.front()->name.span)},
           .warning = {.code = "R2W0519",
                       .severity = Severity::kWarning,

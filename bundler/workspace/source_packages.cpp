@@ -125,7 +125,9 @@ class Choice {
         Diagnostic missing{
             .code = "R2W0255",
             .message = "the source `" + entry.name + "` has no package `" + name + "`",
-            .span = entry.package_places[k]};
+            .span = {}};
+        // A package of a distribution is named by no line of the manifest.
+        if (entry.package_places[k].line > 0) missing.span = entry.package_places[k];
         if (!there.empty()) missing.why.push_back("it has: " + name_list(there, 12));
         if (const auto near = nearest(name, there)) missing.fix.push_back("write `" + *near + "`");
         const bool known = std::any_of(errors_.begin(), errors_.end(), [&](const Diagnostic& one) {

@@ -129,6 +129,7 @@ test('a package of a git repository is fetched with what it needs, locked by its
   assert.match(ws.read('site/LICENSES.txt').toString(), /Redistribution and use in source and binary forms are permitted/);
 });
 
+// Guarantee, same bytes: a site of fetched sources, while the lock has their commits: a tag that moves changes nothing
 test('with the lock, a tag that moves changes nothing, and nobody is asked', watchdog, async () => {
   ws.write('git/arms/arm_driver/src/reach.hpp', 'constexpr double kReach = 0.25;\n');
   commitAll(upstream(), '1.0');
@@ -171,6 +172,7 @@ test('a package of the workspace takes the place of the source\'s', watchdog, as
   rmSync(join(ws.root, 'src/arm_driver'), { recursive: true });
 });
 
+// Guarantee, verified: `ros2wasm rebuild` makes a site with fetched sources once more from what it carries, without a network
 test('a site carries its sources, and is made once more from them without a network', watchdog, async () => {
   writeManifest('site: {sources: true}\n');
   await succeeds('pack', '-o', 'site');

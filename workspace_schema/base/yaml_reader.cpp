@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "workspace_schema/base/long_yaml.hpp"
 #include "workspace_schema/base/text_encoding.hpp"
 #include "workspace_schema/base/yaml_syntax_hint.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::size_t kLargestText = 1U << 20U;
 constexpr std::size_t kMostNodes = 50'000;
+constexpr std::size_t kMostNodesOfLists = 500'000;
 constexpr int kDeepest = 48;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -41,7 +43,8 @@ struct LimitReached {
 
 class Recorder final : public YAML::EventHandler {
  public:
-  explicit Recorder(std::size_t skipped) : skipped_(skipped) {}
+  explicit Recorder(std::size_t skipped, std::size_t most_nodes = kMostNodes)
+      : skipped_(skipped), most_nodes_(most_nodes) {}
 
   std::vector<Event> events;
   std::size_t document_offset = 0;
@@ -76,7 +79,7 @@ class Recorder final : public YAML::EventHandler {
 
   void add(EventKind kind, const YAML::Mark& mark, YAML::anchor_t anchor, const std::string& tag,
            const std::string& value) {
-    if (events.size() >= 2 * kMostNodes)
+    if (events.size() >= 2 * most_nodes_)
       throw LimitReached{"it has too many values", offset_of(mark)};
     events.push_back(
         {.kind = kind, .offset = offset_of(mark), .anchor = anchor, .tag = tag, .value = value});
@@ -93,6 +96,7 @@ class Recorder final : public YAML::EventHandler {
   }
 
   std::size_t skipped_;
+  std::size_t most_nodes_;
   int depth_ = 0;
 };
 
@@ -163,10 +167,10 @@ std::size_t first_error_of(std::string_view text) {
   }
 }
 
-Outcome<RecordedEvents> record_events(const SourceText& source) {
+Outcome<RecordedEvents> record_events(const SourceText& source, std::size_t most_nodes) {
   const std::size_t skipped = skipped_bytes(source.text());
   std::istringstream stream{std::string(source.text().substr(skipped))};
-  Recorder recorder(skipped);
+  Recorder recorder(skipped, most_nodes);
   RecordedEvents recorded;
   try {
     YAML::Parser parser(stream);
@@ -188,8 +192,13 @@ Outcome<RecordedEvents> record_events(const SourceText& source) {
 
 class TreeBuilder {
  public:
-  TreeBuilder(const SourceText& source, const std::vector<Event>& events, DuplicateKeys duplicates)
-      : source_(source), text_(source.text()), events_(events), duplicates_(duplicates) {}
+  TreeBuilder(const SourceText& source, const std::vector<Event>& events, DuplicateKeys duplicates,
+              std::size_t most_nodes)
+      : source_(source),
+        text_(source.text()),
+        events_(events),
+        duplicates_(duplicates),
+        most_nodes_(most_nodes) {}
 
   Outcome<YamlDocument> build() {
     YamlDocument document;
@@ -203,7 +212,7 @@ class TreeBuilder {
   /// `empty_at`: where a value that is not there should have been.
   YamlNode node(TextRange empty_at) {
     if (fatal_ || at_ >= events_.size()) return {};
-    if (++count_ > kMostNodes) {
+    if (++count_ > most_nodes_) {
       fatal_ = unreadable(source_, "it has too many values", {events_[at_].offset, 1});
       return {};
     }
@@ -260,7 +269,7 @@ class TreeBuilder {
       return {};
     }
     count_ += size_of(found->second);
-    if (count_ > kMostNodes) {
+    if (count_ > most_nodes_) {
       fatal_ = unreadable(source_, "its aliases unfold to too many values", {event.offset, 1});
       return {};
     }
@@ -437,15 +446,15 @@ class TreeBuilder {
   std::size_t count_ = 0;
   std::map<std::size_t, YamlNode> anchors_;
   DuplicateKeys duplicates_;
+  std::size_t most_nodes_;
   Diagnostics problems_;
   std::optional<Diagnostic> fatal_;
 };
 
-}  // namespace
-
-Outcome<YamlDocument> parse_yaml(const SourceText& source, DuplicateKeys duplicates) {
+Outcome<YamlDocument> parse(const SourceText& source, DuplicateKeys duplicates,
+                            std::size_t most_nodes) {
   if (auto problem = encoding_problem(source)) return *std::move(problem);
-  Outcome<RecordedEvents> recorded = record_events(source);
+  Outcome<RecordedEvents> recorded = record_events(source, most_nodes);
   if (!recorded) return recorded.errors();
   if (recorded->second_document) {
     const std::size_t offset = *recorded->second_document;
@@ -458,7 +467,17 @@ Outcome<YamlDocument> parse_yaml(const SourceText& source, DuplicateKeys duplica
                     "the second document begins here");
   }
   if (recorded->events.empty()) return YamlDocument{};
-  return TreeBuilder(source, recorded->events, duplicates).build();
+  return TreeBuilder(source, recorded->events, duplicates, most_nodes).build();
+}
+
+}  // namespace
+
+Outcome<YamlDocument> parse_yaml(const SourceText& source, DuplicateKeys duplicates) {
+  return parse(source, duplicates, kMostNodes);
+}
+
+Outcome<YamlDocument> parse_long_yaml(const SourceText& source) {
+  return parse(source, DuplicateKeys::kLastCounts, kMostNodesOfLists);
 }
 
 }  // namespace ros2wasm

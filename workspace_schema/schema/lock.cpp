@@ -80,6 +80,7 @@ void put_source(std::string& out, const LockedSource& source) {
   if (!source.revision.empty()) put_text(out, indent, "revision", source.revision);
   put_text(out, indent, "commit", source.commit);
   put_text(out, indent, "tree", source.tree);
+  if (!source.package.empty()) put_text(out, indent, "package", source.package);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ struct LockedSource {
   std::string tree;      ///< git's hash of the commit's files
   std::string archive;   ///< its address, or a path relative to the manifest
   std::string sha256;
+  std::string package;  ///< the one that a distribution file led to it for; else empty
 
   bool operator==(const LockedSource&) const = default;
 };

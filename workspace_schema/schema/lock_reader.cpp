@@ -161,6 +161,7 @@ class Reader {
                    {"revision", [&](const YamlNode& one) { text(one, source.revision); }},
                    {"commit", [&](const YamlNode& one) { hash(one, source.commit, 40); }},
                    {"tree", [&](const YamlNode& one) { hash(one, source.tree, 40); }},
+                   {"package", [&](const YamlNode& one) { text(one, source.package); }},
                    {"archive", [&](const YamlNode& one) { text(one, source.archive); }},
                    {"sha256", [&](const YamlNode& one) { hash(one, source.sha256, 64); }}},
                   {});

@@ -8,13 +8,15 @@
 namespace ros2wasm {
 namespace {
 
-constexpr auto kSourceKinds = std::to_array<SourceKind>(
-    {SourceKind::kGit, SourceKind::kArchive, SourceKind::kFolder, SourceKind::kRepos});
+constexpr auto kSourceKinds =
+    std::to_array<SourceKind>({SourceKind::kGit, SourceKind::kArchive, SourceKind::kFolder,
+                               SourceKind::kRepos, SourceKind::kDistribution});
 
 /// Which mean nothing to YAML, as no space stands behind a colon.
 constexpr std::string_view kLettersOfAddresses =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-:@";
-constexpr std::string_view kSourceForms = "a mapping with `git`, `archive`, `folder` or `repos`";
+constexpr std::string_view kSourceForms =
+    "a mapping with `git`, `archive`, `folder`, `repos` or `distribution`";
 
 std::optional<Spanned<std::string>> read_git(Binder& binder, const YamlNode& node) {
   auto place = binder.line(node, "git");
@@ -28,12 +30,14 @@ std::optional<Spanned<std::string>> read_git(Binder& binder, const YamlNode& nod
   return is_source_address(place->value) ? place : binder.path(node, "git");
 }
 
-std::optional<Spanned<std::string>> read_archive(Binder& binder, const YamlNode& node) {
-  auto place = binder.line(node, "archive");
+/// An address of the web, or a path.
+std::optional<Spanned<std::string>> read_file_place(Binder& binder, const YamlNode& node,
+                                                    const std::string& key) {
+  auto place = binder.line(node, key);
   if (!place) return std::nullopt;
-  if (place->value.find("://") == std::string::npos) return binder.path(node, "archive");
+  if (place->value.find("://") == std::string::npos) return binder.path(node, key);
   if (place->value.starts_with("https://") || place->value.starts_with("http://")) return place;
-  binder.error("R2W0103", "`archive` must be an address or a path", node.range,
+  binder.error("R2W0103", "`" + key + "` must be an address or a path", node.range,
                "begins with neither `https://` nor `http://`");
   return std::nullopt;
 }
@@ -44,7 +48,8 @@ std::optional<Spanned<std::string>> read_place(Binder& binder, const YamlNode& n
     case SourceKind::kGit:
       return read_git(binder, node);
     case SourceKind::kArchive:
-      return read_archive(binder, node);
+    case SourceKind::kDistribution:
+      return read_file_place(binder, node, std::string(source_kind_word(kind)));
     case SourceKind::kFolder:
     case SourceKind::kRepos:
       break;
@@ -96,6 +101,7 @@ void read_source(Binder& binder, const YamlNode& node, Manifest& manifest) {
       {"archive", {"tar", "zip"}},
       {"folder", {"path", "directory", "local"}},
       {"repos", {"vcs", "rosinstall"}},
+      {"distribution", {"distro", "rosdistro", "index"}},
       {"revision", {"version", "branch", "tag", "commit", "rev"}},
       {"sha256", {"hash", "sha"}},
       {"packages", {"package", "only"}}};
@@ -142,6 +148,12 @@ void read_source(Binder& binder, const YamlNode& node, Manifest& manifest) {
     read_source_packages(binder, *packages, entry);
   auto found = read_place(binder, *place, kind);
   if (!found) return;
+  if (kind == SourceKind::kDistribution && !found->value.ends_with(".yaml") &&
+      !found->value.ends_with(".yml")) {
+    binder.error("R2W0103", "`distribution` must name a YAML file", place->range,
+                 "ends with neither `.yaml` nor `.yml`");
+    return;
+  }
   entry.place = std::move(found->value);
   entry.span = std::move(found->span);
   entry.name = source_name(entry.place);

@@ -39,6 +39,8 @@ std::string_view source_kind_word(SourceKind kind) {
       return "folder";
     case SourceKind::kRepos:
       return "repos";
+    case SourceKind::kDistribution:
+      return "distribution";
   }
   return "git";
 }

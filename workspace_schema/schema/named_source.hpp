@@ -10,10 +10,11 @@
 namespace ros2wasm {
 
 enum class SourceKind {
-  kGit,      ///< a git repository: an address, or a folder relative to the manifest
-  kArchive,  ///< a tar or ZIP file: an address, or a file relative to the manifest
-  kFolder,   ///< a folder relative to the manifest, as it is now
-  kRepos,    ///< a .repos file relative to the manifest, which names others
+  kGit,           ///< a git repository: an address, or a folder relative to the manifest
+  kArchive,       ///< a tar or ZIP file: an address, or a file relative to the manifest
+  kFolder,        ///< a folder relative to the manifest, as it is now
+  kRepos,         ///< a .repos file relative to the manifest, which names others
+  kDistribution,  ///< a distribution file: an address, or a path relative to the manifest
 };
 
 /// One entry.
@@ -28,7 +29,7 @@ struct NamedSource {
   SourceSpan span;                         ///< of the place
 };
 
-/// Its key in the manifest: "git", "archive", "folder", "repos".
+/// Its key in the manifest: "git", "archive", "folder", "repos", "distribution".
 [[nodiscard]] std::string_view source_kind_word(SourceKind kind);
 
 /// Whether `place` is an address of git's or the web's, not a path on this machine.

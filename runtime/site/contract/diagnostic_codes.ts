@@ -70,6 +70,7 @@ export type DiagnosticCode =
   | 'R2W0253'
   | 'R2W0254'
   | 'R2W0255'
+  | 'R2W0256'
   | 'R2W0301'
   | 'R2W0302'
   | 'R2W0303'

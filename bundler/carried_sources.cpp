@@ -62,6 +62,10 @@ class Sources {
       const fs::path place = fs::path(kCarriedSources) / key_of(tree.locked);
       // Patterns of the manifest must not find them once more.
       add_text((fs::path(kCarriedSources) / "COLCON_IGNORE").generic_string(), "");
+      // The folder is there even when the workspace has all of its packages.
+      add_text((place / "SOURCE").generic_string(),
+               tree.locked.git.empty() ? tree.locked.archive + "\n"
+                                       : tree.locked.git + "\n" + tree.locked.commit + "\n");
       for (const fs::path& file : license_files(tree.folder))
         add_at(place / file.lexically_relative(tree.folder), file, tree.folder);
       for (const LocalPackage& package : workspace_.sources) {

@@ -204,7 +204,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   const SourcesRequest sources_request{.folder = workspace.folder,
                                        .shown_folder = workspace.shown_folder,
                                        .update = request.update,
-                                       .must_be_locked = request.locked || request.frozen};
+                                       .must_be_locked = request.locked || request.frozen,
+                                       .takes_carried = request.takes_carried};
   auto sources = add_source_packages(manifest, sources_request, roots, *limits, *packages,
                                      cancellation, progress);
   if (!sources) return std::move(sources).errors();

@@ -44,6 +44,7 @@ struct PackRequest {
   std::filesystem::path built;      ///< where builds are kept; empty: in the cache
   std::string archive_limits;       ///< see extract_limits.hpp; empty: as the environment says
   LockUpdate update = {};           ///< what is chosen anew although the lock has it
+  bool takes_carried = false;       ///< of a site that is made once more: the sources in it
   std::shared_ptr<const SiteSigner> signer;  ///< who signs the site; nobody when null
 };
 

@@ -111,6 +111,7 @@ Outcome<RebuildReport> rebuild(const RebuildRequest& request, const Cancellation
                             .max_file_size = ceiling_of(given->list),
                             .built = scratch->path() / "built",
                             .archive_limits = request.archive_limits,
+                            .takes_carried = true,
                             .signer = nullptr},
                            cancellation, progress);
   if (!packed) return packed.errors();

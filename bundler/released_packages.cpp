@@ -109,6 +109,7 @@ class ReleasedPackages {
                       .revision = {},
                       .sha256 = {},
                       .name = name,
+                      .repos = {},
                       .packages = {name},
                       .package_places = {SourceSpan{.file = {}, .line_text = {}}},
                       .span = {}};
@@ -147,7 +148,7 @@ class ReleasedPackages {
 
   Outcome<Released> read_distribution(const NamedSource& source) const {
     std::filesystem::path file = roots_.working_directory / source.place;
-    if (is_source_address(source.place)) {
+    if (is_web_place(source.place)) {
       auto local = ros2wasm::bring(source.place, roots_, cancellation_);
       if (!local) return std::move(local).errors();
       if (!*local)
@@ -161,13 +162,19 @@ class ReleasedPackages {
     }
     const auto text = read_file(file, kMostOfText);
     if (!text) return text.errors();
-    return read_distribution_file(*text, source.place);
+    auto released = read_distribution_file(*text, source.place);
+    if (!released || !is_web_place(source.place)) return released;
+    // A list from the web must not name what only this user can read.
+    std::erase_if(*released,
+                  [](const auto& one) { return reach_of(one.second.url) > Reach::kWeb; });
+    return released;
   }
 
   Outcome<Done> bring(std::vector<NamedSource> entries) {
     auto trees = bring_source_trees({.entries = std::move(entries),
                                      .locked = locked_,
-                                     .must_be_locked = request_.must_be_locked},
+                                     .must_be_locked = request_.must_be_locked,
+                                     .takes_carried = request_.takes_carried},
                                     roots_, limits_, cancellation_, progress_);
     if (!trees) return std::move(trees).errors();
     auto chosen = choose_source_packages(*trees, packages_, request_.shown_folder,

@@ -227,8 +227,10 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
                                        .shown_folder = request.manifest.parent_path()};
   bool has_sources = true;
   if (packages && channels) {
-    auto added = add_source_packages(report.manifest, sources_request, roots, {}, report.packages,
-                                     cancellation, {});
+    const auto limits = extract_limits_of("", request.variables);
+    auto added = limits ? add_source_packages(report.manifest, sources_request, roots, *limits,
+                                              report.packages, cancellation, {})
+                        : Outcome<WorkspaceSources>(limits.errors());
     if (added) sources = std::move(*added);
     if (!added) has_sources = add_source_faults(added.errors(), errors, report.warnings);
   }

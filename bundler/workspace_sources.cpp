@@ -42,7 +42,8 @@ Outcome<WorkspaceSources> add_source_packages(
   begin_step(progress, "fetch");
   auto trees = bring_source_trees({.entries = manifest.sources,
                                    .locked = *std::move(locked),
-                                   .must_be_locked = request.must_be_locked},
+                                   .must_be_locked = request.must_be_locked,
+                                   .takes_carried = request.takes_carried},
                                   roots, limits, cancellation, progress);
   if (!trees) return std::move(trees).errors();
   auto chosen = choose_source_packages(*trees, packages, request.shown_folder,
@@ -53,7 +54,9 @@ Outcome<WorkspaceSources> add_source_packages(
     packages.push_back(std::move(package));
   }
   for (const NamedSource& entry : manifest.sources) {
-    if (entry.kind == SourceKind::kRepos) sources.watched.push_back(request.folder / entry.place);
+    const bool is_file = entry.kind == SourceKind::kRepos ||
+                         (entry.kind == SourceKind::kArchive && !is_web_place(entry.place));
+    if (is_file) sources.watched.push_back(request.folder / entry.place);
   }
   order_plain_packages(packages);
   sources.trees = std::move(*trees);
@@ -67,7 +70,8 @@ std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees) 
     if (!tree.can_change) sources.push_back(tree.locked);
   }
   std::sort(sources.begin(), sources.end(), [](const LockedSource& a, const LockedSource& b) {
-    return std::tie(a.git, a.archive, a.revision) < std::tie(b.git, b.archive, b.revision);
+    return std::tie(a.git, a.archive, a.revision, a.package) <
+           std::tie(b.git, b.archive, b.revision, b.package);
   });
   sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
   return sources;

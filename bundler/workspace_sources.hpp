@@ -19,6 +19,7 @@ struct SourcesRequest {
   std::filesystem::path shown_folder;  ///< the same as the person named it
   LockUpdate update = {};              ///< what is chosen anew although the lock has it
   bool must_be_locked = false;         ///< a source that the lock does not have is an error
+  bool takes_carried = false;          ///< as in SourceTreesRequest
 };
 
 struct WorkspaceSources {

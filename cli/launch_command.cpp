@@ -73,8 +73,10 @@ Outcome<Done> add_sources(Context& context, Manifest& manifest, const fs::path& 
   auto channels = workspace_channels(manifest, folder, context.executable, context.environment);
   if (!channels) return std::move(channels).errors();
   channels->roots.network.offline = true;
+  const auto limits = extract_limits_of("", context.environment);
+  if (!limits) return limits.errors();
   auto sources = add_source_packages(manifest, {.folder = folder, .shown_folder = shown},
-                                     channels->roots, {}, packages, context.cancellation, {});
+                                     channels->roots, *limits, packages, context.cancellation, {});
   if (!sources) return std::move(sources).errors();
   return Done{};
 }

@@ -28,6 +28,17 @@ bool has_control_character(std::string_view text) {
 
 }  // namespace
 
+bool link_ends_inside(const std::filesystem::path& root, const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path top = std::filesystem::canonical(root, error);
+  if (error) return false;
+  const std::filesystem::path end = std::filesystem::weakly_canonical(top / path, error);
+  // A circle of links leads nowhere.
+  if (error) return error == std::errc::too_many_symbolic_link_levels;
+  const std::filesystem::path from_top = end.lexically_relative(top);
+  return !from_top.empty() && *from_top.begin() != "..";
+}
+
 std::optional<std::string> link_script_package(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   if (slash == std::string_view::npos) return std::nullopt;

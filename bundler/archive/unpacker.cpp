@@ -210,6 +210,11 @@ Outcome<Done> Unpacker::write_symbolic_links() {
     }
     if (error) return cannot_write(directory_ / path, error.value());
   }
+  for (const auto& [path, target] : links_) {
+    if (!link_ends_inside(directory_, path))
+      return nothing_stored("R2W0223", name_,
+                            "the link `" + path + "` leads outside by way of another link");
+  }
   return Done{};
 }
 

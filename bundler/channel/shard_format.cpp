@@ -11,6 +11,7 @@
 #include "bundler/channel/in_order.hpp"
 #include "bundler/channel/msgpack_reader.hpp"
 #include "bundler/channel/repodata_index.hpp"
+#include "workspace_schema/base/hash_text.hpp"
 #include "workspace_schema/base/secret_text.hpp"
 #include "workspace_schema/base/text_pattern.hpp"
 #include "workspace_schema/conda/record_rules.hpp"
@@ -23,11 +24,9 @@ constexpr std::uint64_t kLargestShard = 256ULL << 20U;
 constexpr std::uint32_t kMostArchives = 1'000'000;  ///< of a shard, which is of one name
 constexpr std::uint32_t kMostTexts = 100'000;       ///< of a list in a record
 
+/// As its bytes, or as a text.
 bool is_sha256(std::string_view hash) {
-  return hash.size() == 32 ||
-         (hash.size() == 64 && std::all_of(hash.begin(), hash.end(), [](char c) {
-            return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-          }));
+  return hash.size() == 32 || is_sha256_text(hash);
 }
 
 Diagnostic no_msgpack(const std::string& url) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <map>
 
 #include "bundler/io/files.hpp"
@@ -16,28 +17,37 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOutput = std::size_t{256} << 20U;
+/// A small delta can stand for a large object, which git makes in memory.
+constexpr std::uint64_t kMostMemory = std::uint64_t{8} << 30U;
+/// Of its own time; ten times as much by the clock (see Patience).
+constexpr std::chrono::minutes kMostTime{12};
 constexpr std::size_t kHashDigits = 40;
 /// Where a fetched commit is named.
 constexpr const char* kWanted = "refs/ros2wasm/wanted";
 
 /// Variables by which a surrounding git would lead this one elsewhere.
 constexpr auto kVariablesOfGit = std::to_array<const char*>(
-    {"GIT_ALTERNATE_OBJECT_DIRECTORIES", "GIT_COMMON_DIR", "GIT_CONFIG", "GIT_CONFIG_COUNT",
-     "GIT_CONFIG_PARAMETERS", "GIT_CONFIG_SYSTEM", "GIT_EXEC_PATH", "GIT_GRAFT_FILE",
-     "GIT_INDEX_FILE", "GIT_NAMESPACE", "GIT_OBJECT_DIRECTORY", "GIT_PROXY_COMMAND",
-     "GIT_QUARANTINE_PATH", "GIT_SHALLOW_FILE", "GIT_TEMPLATE_DIR", "GIT_WORK_TREE"});
+    {"GIT_ALTERNATE_OBJECT_DIRECTORIES", "GIT_ATTR_SOURCE", "GIT_COMMON_DIR", "GIT_CONFIG",
+     "GIT_CONFIG_COUNT", "GIT_CONFIG_PARAMETERS", "GIT_CONFIG_SYSTEM", "GIT_DEFAULT_HASH",
+     "GIT_DEFAULT_REF_FORMAT", "GIT_EXEC_PATH", "GIT_GRAFT_FILE", "GIT_INDEX_FILE", "GIT_NAMESPACE",
+     "GIT_OBJECT_DIRECTORY", "GIT_PROXY_COMMAND", "GIT_QUARANTINE_PATH", "GIT_SHALLOW_FILE",
+     "GIT_TEMPLATE_DIR", "GIT_WORK_TREE"});
 
 /// Nothing of the user's settings counts, so that the same revision is the same files everywhere;
 /// keys and agents of ssh do, without questions.
 std::map<std::string, std::string> environment_of_git(const fs::path& folder) {
+  // Versions of git that do not know GIT_CONFIG_GLOBAL look into HOME, as .netrc is looked for.
+  const std::string home = folder.parent_path().string();
   return {{"GIT_DIR", folder.string()},
+          {"HOME", home},
+          {"XDG_CONFIG_HOME", home},
           {"GIT_CONFIG_NOSYSTEM", "1"},
           {"GIT_CONFIG_GLOBAL", "/dev/null"},
           {"GIT_ATTR_NOSYSTEM", "1"},
           {"GIT_TERMINAL_PROMPT", "0"},
           {"GIT_ASKPASS", "true"},
           {"SSH_ASKPASS", "true"},
-          {"GIT_SSH_COMMAND", "ssh -oBatchMode=yes -oConnectTimeout=30"},
+          {"GIT_SSH_COMMAND", "ssh -oBatchMode=yes -oConnectTimeout=30 -oServerAliveInterval=15"},
           {"GIT_ALLOW_PROTOCOL", "file:http:https:ssh"},
           {"GIT_NO_REPLACE_OBJECTS", "1"},
           {"LC_ALL", "C"}};
@@ -50,7 +60,8 @@ constexpr auto kSettings = std::to_array<const char*>(
      "core.autocrlf=false", "core.symlinks=true", "core.fsmonitor=false",
      "credential.helper=", "fetch.fsckObjects=true", "fetch.fsck.zeroPaddedFilemode=ignore",
      "gc.auto=0", "maintenance.auto=false", "protocol.version=2", "submodule.recurse=false",
-     "http.lowSpeedLimit=1000", "http.lowSpeedTime=60", "advice.detachedHead=false"});
+     "http.lowSpeedLimit=1000", "http.lowSpeedTime=60", "core.packedGitLimit=1g",
+     "advice.detachedHead=false"});
 
 /// The lines that git wrote, without those that only repeat the failure.
 std::vector<std::string> reasons_in(std::string_view text) {
@@ -70,6 +81,8 @@ Diagnostic cannot_fetch(const std::string& address, std::string_view said) {
                   .kind = FailureKind::kEnvironment,
                   .message = "the git repository `" + address + "` cannot be fetched",
                   .why = reasons_in(said)};
+  if (said.find("dubious ownership") != std::string_view::npos)
+    made.fix.emplace_back("use the files of a repository that another user has with `folder:`");
   return made;
 }
 
@@ -120,12 +133,15 @@ Outcome<GitRepository::Answer> GitRepository::run(std::vector<std::string> argum
                              .directory = {},
                              .output_mode = OutputMode::kCapture,
                              .on_output = {},
+                             .time_limit = kMostTime,
                              .most_output = kMostOutput,
-                             .largest_file = most_bytes_},
+                             .largest_file = most_bytes_,
+                             .most_memory = kMostMemory},
                             cancellation_);
   if (!result) return std::move(result).errors();
   if (result->is_out_of_room)
     result->error += "fatal: it has more to say than " + std::to_string(kMostOutput) + " bytes\n";
+  if (result->is_out_of_time) result->error += "fatal: it did not come to an end\n";
   result->error += said_of_signal(*result);
   return Answer{.exit_code = result->exit_code,
                 .output = std::move(result->output),
@@ -135,11 +151,12 @@ Outcome<GitRepository::Answer> GitRepository::run(std::vector<std::string> argum
 Outcome<std::string> GitRepository::output_of(std::vector<std::string> arguments) const {
   auto answer = run(std::move(arguments));
   if (!answer) return std::move(answer).errors();
-  if (answer->exit_code != 0) return cannot_fetch(folder_.string(), answer->error);
+  if (answer->exit_code != 0) return cannot_fetch(address_, answer->error);
   return std::move(answer->output);
 }
 
-Outcome<GitRepository> GitRepository::make(const fs::path& folder, std::uint64_t most_bytes,
+Outcome<GitRepository> GitRepository::make(const std::string& address, const fs::path& folder,
+                                           std::uint64_t most_bytes,
                                            const Cancellation& cancellation) {
   if (!find_program("git"))
     return Diagnostic{.code = "R2W0910",
@@ -148,25 +165,23 @@ Outcome<GitRepository> GitRepository::make(const fs::path& folder, std::uint64_t
                       .why = {"`sources:` of the manifest names a git repository"},
                       .fix = {"sudo apt-get install git"}};
   if (auto made = make_directories(folder.parent_path()); !made) return std::move(made).errors();
-  GitRepository repository(folder, most_bytes, cancellation);
+  GitRepository repository(address, folder, most_bytes, cancellation);
   auto made = repository.output_of({"init", "--quiet", "--bare", "--template=", folder.string()});
   if (!made) return std::move(made).errors();
   return repository;
 }
 
-Outcome<GitRepository::Answer> GitRepository::bring(const std::string& address,
-                                                    const std::string& what) const {
+Outcome<GitRepository::Answer> GitRepository::bring(const std::string& what) const {
   return run({"fetch", "--quiet", "--depth=1", "--no-tags", "--no-recurse-submodules", "--",
-              address, "+" + what + ":" + kWanted});
+              address_, "+" + what + ":" + kWanted});
 }
 
 /// R2W0252, with the nearest name that the repository has.
-Diagnostic GitRepository::no_such_revision(const std::string& address,
-                                           const std::string& revision) const {
+Diagnostic GitRepository::no_such_revision(const std::string& revision) const {
   Diagnostic made{
       .code = "R2W0252",
-      .message = "the git repository `" + address + "` has no revision `" + revision + "`"};
-  const auto answer = run({"ls-remote", "--quiet", "--heads", "--tags", "--refs", "--", address});
+      .message = "the git repository `" + address_ + "` has no revision `" + revision + "`"};
+  const auto answer = run({"ls-remote", "--quiet", "--heads", "--tags", "--refs", "--", address_});
   std::vector<std::string> names;
   std::string_view rest =
       answer && answer->exit_code == 0 ? std::string_view(answer->output) : std::string_view();
@@ -190,33 +205,32 @@ Diagnostic GitRepository::no_such_revision(const std::string& address,
   return made;
 }
 
-Outcome<std::string> GitRepository::fetch(const std::string& address,
-                                          const std::string& revision) const {
-  auto answer = bring(address, revision.empty() ? "HEAD" : revision);
+Outcome<std::string> GitRepository::fetch(const std::string& revision) const {
+  auto answer = bring(revision.empty() ? "HEAD" : revision);
   if (!answer) return std::move(answer).errors();
   if (answer->exit_code != 0 && is_commit_hash(revision)) {
     // A server may give only what a name leads to: then all of that, with its history.
-    answer = run({"fetch", "--quiet", "--no-recurse-submodules", "--", address,
+    answer = run({"fetch", "--quiet", "--no-recurse-submodules", "--", address_,
                   "+refs/heads/*:refs/heads/*", "+refs/tags/*:refs/tags/*"});
     if (!answer) return std::move(answer).errors();
-    if (answer->exit_code != 0) return cannot_fetch(address, answer->error);
+    if (answer->exit_code != 0) return cannot_fetch(address_, answer->error);
     const auto there = run({"cat-file", "-e", revision + "^{commit}"});
     if (!there) return there.errors();
-    if (there->exit_code != 0) return no_such_revision(address, revision);
+    if (there->exit_code != 0) return no_such_revision(revision);
     return revision;
   }
   if (answer->exit_code != 0) {
     if (answer->error.find("couldn't find remote ref") != std::string::npos)
       return revision.empty()
-                 ? cannot_fetch(address, "it is empty, or has no default branch\n" + answer->error)
-                 : no_such_revision(address, revision);
-    return cannot_fetch(address, answer->error);
+                 ? cannot_fetch(address_, "it is empty, or has no default branch\n" + answer->error)
+                 : no_such_revision(revision);
+    return cannot_fetch(address_, answer->error);
   }
   const auto commit = run({"rev-parse", "--verify", "--quiet", std::string(kWanted) + "^{commit}"});
   if (!commit) return commit.errors();
   std::string hash = without_end(commit->output);
   if (commit->exit_code != 0 || !is_commit_hash(hash))
-    return no_such_revision(address, revision);  // a tag of a file, or of a folder
+    return no_such_revision(revision);  // a tag of a file, or of a folder
   return hash;
 }
 
@@ -234,8 +248,8 @@ Outcome<std::vector<GitEntry>> GitRepository::entries(const std::string& commit)
     const std::size_t end = std::min(rest.find('\0'), rest.size());
     auto entry = entry_of(rest.substr(0, end));
     if (!entry)
-      return cannot_fetch(folder_.string(), "it has an entry of an unknown kind: " +
-                                                std::string(rest.substr(0, end)));
+      return cannot_fetch(
+          address_, "it has an entry of an unknown kind: " + std::string(rest.substr(0, end)));
     entries.push_back(std::move(*entry));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }

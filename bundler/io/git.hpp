@@ -31,17 +31,18 @@ struct GitSubmodule {
 /// A bare repository that holds what fetch() has brought.
 class GitRepository {
  public:
-  /// `folder` must not exist. `most_bytes` is the limit of each file that git writes, and thus of
-  /// what a server sends. R2W0910 there is no git.
-  [[nodiscard]] static Outcome<GitRepository> make(const std::filesystem::path& folder,
+  /// `address` is one of git's, or a folder. `folder` must not exist; its parent must be empty but
+  /// for such folders. `most_bytes` is the limit of each file that git writes, and thus of what a
+  /// server sends. R2W0910 there is no git.
+  [[nodiscard]] static Outcome<GitRepository> make(const std::string& address,
+                                                   const std::filesystem::path& folder,
                                                    std::uint64_t most_bytes,
                                                    const Cancellation& cancellation);
 
   /// Brings the newest commit that `revision` names, without its history, and gives its hash; an
-  /// empty revision names the default branch. `address` is one of git's, or a folder. R2W0251 the
-  /// repository cannot be had, R2W0252 it has no such revision.
-  [[nodiscard]] Outcome<std::string> fetch(const std::string& address,
-                                           const std::string& revision) const;
+  /// empty revision names the default branch. R2W0251 the repository cannot be had, R2W0252 it has
+  /// no such revision.
+  [[nodiscard]] Outcome<std::string> fetch(const std::string& revision) const;
   /// The hash of the tree of a commit.
   [[nodiscard]] Outcome<std::string> tree_of(const std::string& commit) const;
   /// All of it, sorted by path.
@@ -57,15 +58,19 @@ class GitRepository {
     std::string output;
     std::string error;
   };
-  GitRepository(std::filesystem::path folder, std::uint64_t most_bytes, Cancellation cancellation)
-      : folder_(std::move(folder)), most_bytes_(most_bytes), cancellation_(cancellation) {}
+  GitRepository(std::string address, std::filesystem::path folder, std::uint64_t most_bytes,
+                Cancellation cancellation)
+      : address_(std::move(address)),
+        folder_(std::move(folder)),
+        most_bytes_(most_bytes),
+        cancellation_(cancellation) {}
   [[nodiscard]] Outcome<Answer> run(std::vector<std::string> arguments) const;
   /// The same, when a failure is git's and not the repository's: R2W0251.
   [[nodiscard]] Outcome<std::string> output_of(std::vector<std::string> arguments) const;
-  [[nodiscard]] Outcome<Answer> bring(const std::string& address, const std::string& what) const;
-  [[nodiscard]] Diagnostic no_such_revision(const std::string& address,
-                                            const std::string& revision) const;
+  [[nodiscard]] Outcome<Answer> bring(const std::string& what) const;
+  [[nodiscard]] Diagnostic no_such_revision(const std::string& revision) const;
 
+  std::string address_;
   std::filesystem::path folder_;
   std::uint64_t most_bytes_;
   Cancellation cancellation_;

@@ -159,6 +159,10 @@ struct Streams {
     const rlimit most{.rlim_cur = request.largest_file, .rlim_max = request.largest_file};
     ::setrlimit(RLIMIT_FSIZE, &most);
   }
+  if (request.most_memory > 0) {
+    const rlimit most{.rlim_cur = request.most_memory, .rlim_max = request.most_memory};
+    ::setrlimit(RLIMIT_AS, &most);
+  }
   const std::string& directory = request.directory.native();
   if ((directory.empty() || ::chdir(directory.c_str()) == 0) &&
       (!request.is_confined || give_up_sockets())) {

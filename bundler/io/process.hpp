@@ -58,6 +58,8 @@ struct ProcessRequest {
   /// Bytes of each file that it writes, of what it starts too; more ends it by a signal. 0: no
   /// limit.
   std::uint64_t largest_file = 0;
+  /// Bytes of memory that it may ask for, and each program that it starts. 0: no limit.
+  std::uint64_t most_memory = 0;
 };
 
 struct ProcessResult {

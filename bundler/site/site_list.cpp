@@ -8,6 +8,7 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/site/site_file.hpp"
 #include "bundler/site/site_path.hpp"
+#include "workspace_schema/base/hash_text.hpp"
 #include "workspace_schema/base/json_reader.hpp"
 
 namespace ros2wasm {
@@ -15,10 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 40U;
-
-bool is_sha256(std::string_view text) {
-  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
 
 Diagnostic no_site(const std::string& shown, std::string why) {
   return Diagnostic{.code = "R2W0605",
@@ -32,7 +29,7 @@ Outcome<SiteStore> read_store(const JsonValue& json, const std::string& shown) {
   const JsonValue* store = json.find("store");
   if (store == nullptr) return SiteStore();
   SiteStore found{.objects = store->text_of("objects"), .scripts = store->text_of("scripts")};
-  if (!is_store_address(found.objects) || !is_sha256(found.scripts))
+  if (!is_store_address(found.objects) || !is_sha256_text(found.scripts))
     return no_site(shown, "its `store` is not a store of objects");
   return found;
 }
@@ -48,7 +45,7 @@ Outcome<std::vector<FilePart>> read_parts(const JsonValue& file, std::uint64_t w
     const JsonValue* size = one.find("size");
     const auto bytes = size == nullptr ? std::nullopt : size->unsigned_integer();
     FilePart part{.size = bytes.value_or(0), .sha256 = one.text_of("sha256")};
-    if (!bytes || *bytes > left || !is_sha256(part.sha256)) {
+    if (!bytes || *bytes > left || !is_sha256_text(part.sha256)) {
       left = 1;
       break;
     }
@@ -106,7 +103,7 @@ Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& 
                     .size = bytes.value_or(0),
                     .sha256 = one.text_of("sha256"),
                     .reason = one.text_of("reason")};
-    if (!bytes || *bytes > kLargestFile || !is_sha256(file.sha256))
+    if (!bytes || *bytes > kLargestFile || !is_sha256_text(file.sha256))
       return no_site(shown, "`" + file.path + "` has no size that can be, or no sha256");
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
     auto parts = read_parts(one, file.size, shown);

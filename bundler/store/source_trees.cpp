@@ -11,6 +11,7 @@
 #include "bundler/archive/unpacker.hpp"
 #include "bundler/channel/verified_files.hpp"
 #include "bundler/io/cached_folder.hpp"
+#include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/git.hpp"
 #include "bundler/io/sha256.hpp"
@@ -25,6 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTree = "tree";
 constexpr std::size_t kMostSubmodules = 100;
+/// Bytes, so that git can say what is wrong.
+constexpr std::uint64_t kLeastPack = 1U << 16U;
 constexpr int kDeepestSubmodule = 8;
 
 fs::path seal_place(const fs::path& place) {
@@ -33,7 +36,7 @@ fs::path seal_place(const fs::path& place) {
 
 /// Nothing of the network is needed to read it.
 bool is_here(const std::string& address) {
-  return !is_source_address(address) || address.starts_with("file://");
+  return reach_of(address) == Reach::kMachine;
 }
 
 /// `../parts.git` beside the address that names it.
@@ -43,7 +46,11 @@ std::string submodule_address(std::string base, std::string_view url) {
   while (url.starts_with("./") || url.starts_with("../")) {
     const bool up = url.starts_with("../");
     url.remove_prefix(up ? 3 : 2);
-    if (up) base.resize(std::min(base.size(), base.find_last_of("/:")));
+    const std::size_t end = base.find_last_of("/:");
+    if (!up || end == std::string::npos) continue;
+    // `git@host:arms.git` and `../parts.git` are `git@host:parts.git`.
+    if (base[end] == ':') return base.substr(0, end + 1) + std::string(url);
+    base.resize(end);
   }
   return base + "/" + std::string(url);
 }
@@ -52,6 +59,14 @@ Diagnostic not_taken(const std::string& source, std::string why) {
   return Diagnostic{.code = "R2W0254",
                     .message = "the source `" + source + "` is not taken",
                     .why = {std::move(why), "nothing of it was stored"}};
+}
+
+Diagnostic not_here(const std::string& address) {
+  return Diagnostic{.code = "R2W0253",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "`" + address + "` is not on this machine",
+                    .why = {"with --offline nothing comes over the network"},
+                    .fix = {"ros2wasm cache fetch ros2wasm.lock"}};
 }
 
 /// Brings one commit with its submodules into a folder.
@@ -74,15 +89,15 @@ class GitTree {
   /// written.
   Outcome<Names> bring(const std::string& address, const std::string& revision,
                        const fs::path& folder,
-                       const std::function<bool(const std::string& commit)>& is_known) {
+                       const std::function<bool(const Names& names)>& is_known) {
     const auto repository = open(address);
     if (!repository) return repository.errors();
-    auto commit = repository->fetch(address, revision);
+    auto commit = repository->fetch(revision);
     if (!commit) return std::move(commit).errors();
     auto tree = repository->tree_of(*commit);
     if (!tree) return std::move(tree).errors();
     Names names{.commit = std::move(*commit), .tree = std::move(*tree)};
-    if (is_known(names.commit)) return names;
+    if (is_known(names)) return names;
     if (auto done = write(*repository, address, names.commit, folder, 0); !done)
       return std::move(done).errors();
     if (auto done = drop_links_out(folder); !done) return std::move(done).errors();
@@ -93,14 +108,10 @@ class GitTree {
 
  private:
   Outcome<GitRepository> open(const std::string& address) {
-    if (offline_ && !is_here(address))
-      return Diagnostic{.code = "R2W0253",
-                        .kind = FailureKind::kEnvironment,
-                        .message = "`" + address + "` is not on this machine",
-                        .why = {"with --offline nothing comes over the network"},
-                        .fix = {"ros2wasm cache fetch ros2wasm.lock"}};
-    return GitRepository::make(work_ / ("git" + std::to_string(repositories_++)),
-                               limits_.total_bytes, cancellation_);
+    if (offline_ && !is_here(address)) return not_here(address);
+    const std::uint64_t left = limits_.total_bytes - std::min(bytes_, limits_.total_bytes);
+    return GitRepository::make(address, work_ / "git" / std::to_string(repositories_++),
+                               std::max(left, kLeastPack), cancellation_);
   }
 
   Outcome<Done> write(const GitRepository& repository, const std::string& address,
@@ -132,9 +143,10 @@ class GitTree {
                               const GitEntry& entry, const fs::path& folder, int depth) {
     const std::string address = submodule_address(parent, module.url);
     std::string fault = git_address_fault(address);
-    // A repository of strangers must not name what lies on this machine.
-    if (fault.empty() && is_here(address) && !is_here(parent))
-      fault = "it is a path on this machine";
+    // A repository of strangers must not name what only this user can read.
+    if (fault.empty() && reach_of(address) > reach_of(parent))
+      fault = is_here(address) ? "it is a path on this machine"
+                               : "it needs your ssh keys, and the repository itself does not";
     if (!fault.empty())
       return not_taken(
           source_, "its submodule `" + module.path + "` comes from `" + address + "`: " + fault);
@@ -144,7 +156,7 @@ class GitTree {
                                     std::to_string(kDeepestSubmodule) + " deep");
     const auto repository = open(address);
     if (!repository) return repository.errors();
-    const auto commit = repository->fetch(address, entry.object);
+    const auto commit = repository->fetch(entry.object);
     if (!commit) return commit.errors();
     return write(*repository, address, *commit, folder, depth);
   }
@@ -170,7 +182,8 @@ class GitTree {
     const auto entries = list_tree(folder);
     if (!entries) return entries.errors();
     for (const TreeEntry& entry : *entries) {
-      if (entry.kind == FileKind::kLink && !link_stays_inside(entry.path, entry.link_target)) {
+      if (entry.kind == FileKind::kLink && (!link_stays_inside(entry.path, entry.link_target) ||
+                                            !link_ends_inside(folder, entry.path))) {
         if (auto removed = remove_tree(folder / entry.path); !removed) return removed;
         left_out_.push_back(entry.path);
       }
@@ -283,11 +296,14 @@ class Bringer {
     const fs::path place = source_place(roots_.cache, key);
     if (!is_kept(place, stamp)) return std::nullopt;
     if (source_fault(place).empty()) return place / kTree;
+    // Another process may have made it again meanwhile.
+    const auto lock = FileLock::take(place.string() + ".lock", cancellation_);
+    if (is_kept(place, stamp) && source_fault(place).empty()) return place / kTree;
     (void)remove_tree(place);  // it is made again, which reports what cannot be written
     return std::nullopt;
   }
 
-  /// The tree that a commit of the cache has.
+  /// The tree that a commit of the cache has. cached() compares it with the seal.
   [[nodiscard]] std::string cached_tree_of(const std::string& commit) const {
     const auto stamp = read_file(source_place(roots_.cache, commit) / kKeptStamp, kMostOfText);
     const std::string begin = commit + " ";
@@ -295,6 +311,7 @@ class Bringer {
   }
 
   [[nodiscard]] std::optional<fs::path> carried(const std::string& key) const {
+    if (!request_.takes_carried) return std::nullopt;
     const fs::path folder = roots_.working_directory / kCarriedSources / key;
     std::error_code error;
     if (!fs::is_directory(folder, error)) return std::nullopt;
@@ -309,7 +326,7 @@ class Bringer {
     if (auto folder = make_directories(place.parent_path()); !folder) return folder;
     const auto seal = tree_seal(made, kKeptStamp, cancellation_);
     if (!seal) return seal.errors();
-    if (auto sealed = write_file(seal_place(place), *seal); !sealed) return sealed;
+    if (auto sealed = write_file(seal_place(place), stamp + "\n" + *seal); !sealed) return sealed;
     return keep_folder(made, place, stamp);
   }
 
@@ -323,11 +340,13 @@ class Bringer {
                        .archive = {},
                        .sha256 = {}};
     if (locked != nullptr) names = *locked;
+    names.package.clear();  // who asks by a distribution says so
     SourceTree tree{.entry = std::move(entry), .locked = {}, .folder = {}};
     if (!names.commit.empty()) {
       if (auto folder = carried(names.commit); folder && locked != nullptr) {
         tree.folder = std::move(*folder);
         tree.locked = std::move(names);
+        tree.is_carried = true;
         return tree;
       }
       if (names.tree.empty()) names.tree = cached_tree_of(names.commit);
@@ -349,9 +368,8 @@ class Bringer {
     const std::string address = is_source_address(entry.place)
                                     ? entry.place
                                     : (roots_.working_directory / entry.place).string();
-    const auto is_known = [&](const std::string& commit) {
-      const std::string tree_hash = cached_tree_of(commit);
-      return !tree_hash.empty() && cached(commit, commit + " " + tree_hash).has_value();
+    const auto is_known = [&](const GitTree::Names& one) {
+      return cached(one.commit, one.commit + " " + one.tree).has_value();
     };
     auto found = git.bring(address, names.commit.empty() ? entry.revision : names.commit,
                            beside->path() / "source" / kTree, is_known);
@@ -370,7 +388,7 @@ class Bringer {
     names.commit = found->commit;
     names.tree = found->tree;
     const std::string stamp = names.commit + " " + names.tree;
-    if (!is_known(names.commit)) {
+    if (!is_known(*found)) {
       if (auto kept = keep(*beside, names.commit, stamp); !kept) return std::move(kept).errors();
     }
     tree.folder = source_place(roots_.cache, names.commit) / kTree;
@@ -388,10 +406,11 @@ class Bringer {
                        .tree = {},
                        .archive = entry.place,
                        .sha256 = entry.sha256};
-    const bool is_address = is_source_address(entry.place);
+    const bool is_address = is_web_place(entry.place);
     if (locked != nullptr && carried(locked->sha256)) {
       SourceTree tree{.entry = std::move(entry), .locked = *locked, .folder = {}};
       tree.folder = *carried(locked->sha256);
+      tree.is_carried = true;
       return tree;
     }
     fs::path file = roots_.working_directory / entry.place;
@@ -437,6 +456,8 @@ class Bringer {
          .size = 0,
          .sha256 = sha256,
          .md5 = {}}};
+    if (roots_.network.offline && file_fault(wanted.front(), wanted.front().place))
+      return not_here(entry.place);
     Diagnostics errors;
     bring_verified(wanted, roots_.network, cancellation_, [&](std::size_t, Outcome<Done> outcome) {
       if (!outcome) append(errors, outcome.errors());
@@ -485,7 +506,10 @@ fs::path source_place(const fs::path& cache, const std::string& key) {
 std::string source_fault(const fs::path& place) {
   const auto is = tree_seal(place, kKeptStamp, {});
   const auto was = read_file(seal_place(place), kMostOfData);
-  return is && was && *is == *was ? "" : "its files are not those that were fetched";
+  const auto stamp = read_file(place / kKeptStamp, kMostOfText);
+  return is && was && stamp && *stamp + "\n" + *is == *was
+             ? ""
+             : "its files are not those that were fetched";
 }
 
 Outcome<std::vector<SourceTree>> bring_source_trees(const SourceTreesRequest& request,
@@ -507,6 +531,7 @@ Outcome<Done> fetch_source_trees(const std::vector<LockedSource>& sources,
                                .revision = one.revision,
                                .sha256 = one.sha256,
                                .name = source_name(is_git ? one.git : one.archive),
+                               .repos = {},
                                .packages = {},
                                .package_places = {},
                                .span = {}});

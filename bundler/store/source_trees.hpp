@@ -26,6 +26,7 @@ struct SourceTree {
   std::filesystem::path folder;       ///< absolute
   bool can_change = false;            ///< it is a folder of the user's
   bool is_new = false;                ///< it came now
+  bool is_carried = false;            ///< it is in kCarriedSources, and may lack what was not built
   std::vector<std::string> left_out;  ///< links that lead out of it, which it has no more
 };
 
@@ -33,6 +34,8 @@ struct SourceTreesRequest {
   std::vector<NamedSource> entries;  ///< of the manifest; .repos files are read here
   std::vector<LockedSource> locked;  ///< the entries that the lock has
   bool must_be_locked = false;       ///< a source that is not among them is an error
+  /// What kCarriedSources has takes the place of what would be fetched: nobody has checked it.
+  bool takes_carried = false;
 };
 
 /// The identity of a locked source: its commit, or the hash of its archive.

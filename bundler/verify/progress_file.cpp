@@ -11,6 +11,7 @@
 #include "bundler/io/ed25519.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/hash_text.hpp"
 #include "workspace_schema/base/json_reader.hpp"
 #include "workspace_schema/base/text_encoding.hpp"
 
@@ -80,10 +81,6 @@ bool is_time(std::string_view text) {
          rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
-bool is_sha256(std::string_view text) {
-  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
 /// Takes an optional member. False when its type or its form is wrong.
 bool take(const JsonValue& from, std::string_view key, bool (*good)(std::string_view),
           std::string& target) {
@@ -107,8 +104,9 @@ std::optional<HandedTask> read_task(const JsonValue& json) {
 std::optional<HandedLab> read_lab(const JsonValue& json) {
   HandedLab lab;
   const JsonValue* tasks = json.find("tasks");
-  if (!take(json, "title", is_plain, lab.title) || !take(json, "sha256", is_sha256, lab.sha256) ||
-      lab.sha256.empty() || tasks == nullptr || !tasks->is_array())
+  if (!take(json, "title", is_plain, lab.title) ||
+      !take(json, "sha256", is_sha256_text, lab.sha256) || lab.sha256.empty() || tasks == nullptr ||
+      !tasks->is_array())
     return std::nullopt;
   for (const JsonValue& one : tasks->items()) {
     auto task = read_task(one);

@@ -47,7 +47,7 @@ std::string title_of(const SourceTree& tree) {
 
 /// A package that a source has.
 struct Offer {
-  fs::path folder;  ///< absolute
+  std::vector<fs::path> folders;  ///< absolute
   std::vector<std::string> needs;
 };
 
@@ -87,7 +87,9 @@ class Choice {
       // One that nobody asks for may be broken; add_packages() reports those that are taken.
       const auto xml = package_description(folder, trees_[i].folder, shown, variables_);
       if (xml) {
-        offers_[i].emplace(xml->name.value, Offer{.folder = folder, .needs = needs_of(*xml)});
+        Offer& offer = offers_[i][xml->name.value];
+        if (offer.folders.empty()) offer.needs = needs_of(*xml);
+        offer.folders.push_back(folder);  // more than one is R2W0511, when they are taken
       } else {
         broken_[i].push_back(folder);
       }
@@ -98,11 +100,11 @@ class Choice {
     const NamedSource& entry = trees_[i].entry;
     if (!entry.packages.empty()) {
       for (const std::string& name : entry.packages) {
-        if (offers_[i].contains(name)) take(i, name);
+        if (offers_[i].contains(name) || workspace_.contains(name)) take(i, name);
       }
       return;
     }
-    if (offers_[i].empty() && broken_[i].empty())
+    if (offers_[i].empty() && broken_[i].empty() && !trees_[i].is_carried)
       errors_.push_back(Diagnostic{.code = "R2W0255",
                                    .message = "the source `" + entry.name + "` has no ROS package",
                                    .span = entry.span,
@@ -116,9 +118,11 @@ class Choice {
       const NamedSource& entry = tree.entry;
       for (std::size_t k = 0; k < entry.packages.size(); ++k) {
         const std::string& name = entry.packages[k];
+        if (workspace_.contains(name)) continue;
         std::vector<std::string> there;
         for (std::size_t i = 0; i < trees_.size(); ++i) {
-          if (trees_[i].entry.package_places != entry.package_places) continue;
+          const bool is_same_list = !entry.repos.empty() && trees_[i].entry.repos == entry.repos;
+          if (&trees_[i] != &tree && !is_same_list) continue;
           for (const auto& [offered, offer] : offers_[i]) there.push_back(offered);
         }
         if (std::find(there.begin(), there.end(), name) != there.end()) continue;
@@ -131,7 +135,7 @@ class Choice {
         if (!there.empty()) missing.why.push_back("it has: " + name_list(there, 12));
         if (const auto near = nearest(name, there)) missing.fix.push_back("write `" + *near + "`");
         const bool known = std::any_of(errors_.begin(), errors_.end(), [&](const Diagnostic& one) {
-          return one.span == missing.span;
+          return missing.span && one.span == missing.span;
         });
         if (!known) errors_.push_back(std::move(missing));
       }
@@ -175,7 +179,8 @@ class Choice {
     std::vector<fs::path> folders;
     if (tree.entry.packages.empty()) folders = broken_[i];
     for (const auto& [owner, name] : taken_)
-      if (owner == i) folders.push_back(offers_[i].at(name).folder);
+      if (owner == i)
+        for (const fs::path& folder : offers_[i].at(name).folders) folders.push_back(folder);
     std::sort(folders.begin(), folders.end());
     auto found = read_packages(folders, tree.folder, shown, variables_);
     if (!found) return append(errors_, found.errors());

@@ -13,6 +13,8 @@ namespace {
 
 using Released = std::map<std::string, ReleasedPackage>;
 
+constexpr std::size_t kLongestTexts = 2000;  // bytes
+
 Diagnostic not_a_distribution(const std::string& file, const std::string& why) {
   return Diagnostic{
       .code = "R2W0256",
@@ -41,6 +43,8 @@ void add_repository(const std::string& repository, const YamlNode& release, Rele
   const std::string url = scalar_of(release, "url");
   const std::string version = scalar_of(release, "version");
   if (pattern.empty() || url.empty() || version.empty()) return;
+  // Each package has a copy of them.
+  if (pattern.size() + url.size() + version.size() > kLongestTexts) return;
   if (!is_source_address(url) || !git_address_fault(url).empty()) return;
   for (const std::string& name : packages_of(repository, release)) {
     if (package_name_fault(name)) continue;

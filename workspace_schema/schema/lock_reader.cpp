@@ -175,6 +175,8 @@ class Reader {
       // A lock may be a stranger's, and git takes some texts for options.
       if (!git_address_fault(source.git).empty() || !git_revision_fault(source.revision).empty())
         fail(item, "git cannot be given this address or revision");
+      if (!source.archive.empty() && !file_place_fault(source.archive).empty())
+        fail(item, "an archive has an address of the web or a relative path");
     }
   }
 

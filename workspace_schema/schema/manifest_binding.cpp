@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "workspace_schema/base/hash_text.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 #include "workspace_schema/base/yaml_scalar.hpp"
 
@@ -222,13 +223,10 @@ std::optional<Spanned<std::string>> Binder::path(const YamlNode& node, const std
 }
 
 std::string Binder::sha256(const YamlNode& node) {
-  constexpr std::size_t kDigits = 64;
   // One without letters is a number to YAML.
   const auto hash = written(node, "sha256");
   if (!hash) return {};
-  if (hash->value.size() == kDigits &&
-      hash->value.find_first_not_of("0123456789abcdef") == std::string::npos)
-    return hash->value;
+  if (is_sha256_text(hash->value)) return hash->value;
   error("R2W0103", "`sha256` must be 64 hexadecimal digits", node.range,
         "as `sha256sum` writes them, in lower case");
   return {};

@@ -35,10 +35,10 @@ std::optional<Spanned<std::string>> read_file_place(Binder& binder, const YamlNo
                                                     const std::string& key) {
   auto place = binder.line(node, key);
   if (!place) return std::nullopt;
-  if (place->value.find("://") == std::string::npos) return binder.path(node, key);
-  if (place->value.starts_with("https://") || place->value.starts_with("http://")) return place;
-  binder.error("R2W0103", "`" + key + "` must be an address or a path", node.range,
-               "begins with neither `https://` nor `http://`");
+  if (!is_web_place(place->value)) return binder.path(node, key);
+  const std::string fault = file_place_fault(place->value);
+  if (fault.empty()) return place;
+  binder.error("R2W0103", "`" + key + "` cannot be `" + place->value + "`", node.range, fault);
   return std::nullopt;
 }
 
@@ -138,6 +138,7 @@ void read_source(Binder& binder, const YamlNode& node, Manifest& manifest) {
                     .revision = {},
                     .sha256 = {},
                     .name = {},
+                    .repos = {},
                     .packages = {},
                     .package_places = {},
                     .span = {}};
@@ -157,7 +158,7 @@ void read_source(Binder& binder, const YamlNode& node, Manifest& manifest) {
   entry.place = std::move(found->value);
   entry.span = std::move(found->span);
   entry.name = source_name(entry.place);
-  if (kind == SourceKind::kArchive && is_source_address(entry.place) &&
+  if (kind == SourceKind::kArchive && is_web_place(entry.place) &&
       value_of(node, "sha256") == nullptr) {
     if (Diagnostic* missing = binder.missing(node, "an archive from an address", "sha256"))
       missing->why.emplace_back("whoever has the address may put something else there");

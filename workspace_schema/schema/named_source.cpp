@@ -10,10 +10,10 @@ namespace {
 constexpr auto kGitSchemes =
     std::to_array<std::string_view>({"https://", "http://", "ssh://", "file://"});
 
-/// `git@example.org:group/repository.git`: a host before the first colon, and no slash before it.
+/// `git@example.org:group/repository.git`: git takes a colon before the first slash for ssh's.
 bool is_scp_form(std::string_view place) {
   const std::size_t colon = place.find(':');
-  return colon != std::string_view::npos && place.find('@') < colon && place.find('/') > colon;
+  return colon != std::string_view::npos && place.find('/') > colon;
 }
 
 bool is_control(char letter) {
@@ -25,6 +25,15 @@ bool begins_with_dash(std::string_view host) {
   const std::size_t user = host.find('@');
   return host.starts_with('-') ||
          (user != std::string_view::npos && host.substr(user + 1).starts_with('-'));
+}
+
+/// `rest`: the address behind its scheme.
+std::string password_fault(std::string_view rest) {
+  const std::string_view host = rest.substr(0, rest.find('/'));
+  const std::size_t user = host.rfind('@');
+  const bool has_one =
+      user != std::string_view::npos && host.substr(0, user).find(':') != std::string_view::npos;
+  return has_one ? "it has a password in it, which the lock would show to everybody" : "";
 }
 
 }  // namespace
@@ -46,7 +55,29 @@ std::string_view source_kind_word(SourceKind kind) {
 }
 
 bool is_source_address(std::string_view place) {
-  return place.find("://") != std::string_view::npos || is_scp_form(place);
+  return is_web_place(place) || is_scp_form(place);
+}
+
+bool is_web_place(std::string_view place) {
+  return place.find("://") != std::string_view::npos;
+}
+
+Reach reach_of(std::string_view git_address) {
+  if (git_address.starts_with("https://") || git_address.starts_with("http://")) return Reach::kWeb;
+  if (git_address.starts_with("ssh://") || (!is_web_place(git_address) && is_scp_form(git_address)))
+    return Reach::kSsh;
+  return Reach::kMachine;
+}
+
+std::string file_place_fault(std::string_view place) {
+  if (std::any_of(place.begin(), place.end(), is_control)) return "it has a control character";
+  if (!is_web_place(place)) {
+    const bool is_relative = !place.empty() && !place.starts_with('/') && !place.starts_with('~');
+    return is_relative ? "" : "a path is relative";
+  }
+  if (!place.starts_with("https://") && !place.starts_with("http://"))
+    return "an address begins with https:// or http://";
+  return password_fault(place.substr(place.find("://") + 3));
 }
 
 std::string source_name(std::string_view place) {
@@ -77,10 +108,7 @@ std::string git_address_fault(std::string_view place) {
   const std::string_view rest = place.substr(scheme + 3);
   const std::string_view host = rest.substr(0, rest.find('/'));
   if (begins_with_dash(host)) return "its host begins with `-`";
-  const std::size_t user = host.find('@');
-  if (user != std::string_view::npos && host.substr(0, user).find(':') != std::string_view::npos)
-    return "it has a password in it, which the lock would show to everybody";
-  return {};
+  return password_fault(rest);
 }
 
 std::string git_revision_fault(std::string_view revision) {

@@ -24,6 +24,7 @@ struct NamedSource {
   std::string revision;  ///< of git: a tag, a branch or a commit; empty: the default branch
   std::string sha256;    ///< of an archive; hex, empty only for a file
   std::string name;      ///< source_name() of the place, for people
+  std::string repos;     ///< the .repos file that names it; empty: the manifest does
   std::vector<std::string> packages;       ///< the names asked for; empty: all that are there
   std::vector<SourceSpan> package_places;  ///< of `packages`
   SourceSpan span;                         ///< of the place
@@ -37,6 +38,18 @@ struct NamedSource {
 
 /// `navigation2` for `https://example.org/ros/navigation2.git`.
 [[nodiscard]] std::string source_name(std::string_view place);
+
+/// Whether an archive or a list is on the web; else its place is a path.
+[[nodiscard]] bool is_web_place(std::string_view place);
+
+/// Why an archive or a list is not taken from the place: empty when it is. http and https without a
+/// password, or a relative path.
+[[nodiscard]] std::string file_place_fault(std::string_view place);
+
+/// How much an address can reach: the web, what the user's ssh keys open, this machine. What a
+/// stranger's list names must not reach further than the list itself.
+enum class Reach { kWeb, kSsh, kMachine };
+[[nodiscard]] Reach reach_of(std::string_view git_address);
 
 /// Why git would not be given the address; empty when it would. https, http, ssh and file, and
 /// `user@host:path`.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "workspace_schema/base/hash_text.hpp"
 #include "workspace_schema/base/yaml_reader.hpp"
 #include "workspace_schema/schema/manifest_binding.hpp"
 
@@ -56,6 +57,7 @@ class ReposReader {
                      .revision = {},
                      .sha256 = {},
                      .name = {},
+                     .repos = source_.file(),
                      .packages = {},
                      .package_places = {},
                      .span = source_.span(entry.key_range.offset, entry.key_range.length)};
@@ -73,7 +75,12 @@ class ReposReader {
     } else {
       // Only ours: vcs reads no hash, and skips keys that it does not know.
       made.sha256 = scalar(value_of(entry.value, "sha256"));
-      if (is_source_address(made.place) && made.sha256.size() != 64)
+      if (const std::string bad = file_place_fault(made.place); !bad.empty())
+        return fault(entry.key_range, "the address of `" + entry.key + "`: " + bad);
+      if (!made.sha256.empty() && !is_sha256_text(made.sha256))
+        return fault(entry.key_range,
+                     "`sha256` of `" + entry.key + "` must be 64 hexadecimal digits in lower case");
+      if (is_web_place(made.place) && made.sha256.empty())
         return fault(entry.key_range, "the archive `" + entry.key +
                                           "` needs a line `sha256:`, as whoever has its address "
                                           "may put something else there");

@@ -121,6 +121,15 @@ TEST_F(HostileArchive, LinksThatLeadOutside) {
   EXPECT_EQ(code(RawTar().file("a", "body").add("h", '1', {}, "not-there")), "R2W0223");
 }
 
+// Guarantee, hostile input: archives: links that each stay inside and lead outside together
+TEST_F(HostileArchive, ChainsOfLinksThatLeadOutside) {
+  EXPECT_EQ(code(RawTar()
+                     .file("a/b/c/d", "body")
+                     .add("a/b/c/s", '2', {}, "../..")
+                     .add("t", '2', {}, "a/b/c/s/../../x")),
+            "R2W0223");
+}
+
 TEST_F(HostileArchive, LinksWithoutATargetAreRestoredByTheirHash) {
   const auto info = [](const std::string& linked) {
     return RawTar().file("info/paths.json", paths_json({{"a", "body"}, {"l", linked}}));

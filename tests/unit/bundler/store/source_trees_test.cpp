@@ -52,6 +52,7 @@ class SourceTrees : public ::testing::Test {
             .revision = revision,
             .sha256 = {},
             .name = source_name(place),
+            .repos = {},
             .packages = {},
             .package_places = {},
             .span = {}};
@@ -175,6 +176,53 @@ TEST_F(SourceTrees, ChangedFilesOfTheCacheAreNoticed) {
   EXPECT_TRUE(check_cache(roots_.cache, {})->faults.empty());
 }
 
+TEST_F(SourceTrees, ADamagedStampIsRepaired) {
+  make_repository("upstream");
+  const auto first = bring({git("../upstream", "1.0")});
+  ASSERT_TRUE(first.ok());
+  const LockedSource locked = first->front().locked;
+  std::ofstream(source_place(roots_.cache, locked.commit) / ".ros2wasm-complete")
+      << locked.commit << " " << std::string(40, 'b');
+  EXPECT_EQ(check_cache(roots_.cache, {})->faults.size(), 1U);
+  const auto second = bring({git("../upstream", locked.commit)});
+  ASSERT_TRUE(second.ok());
+  EXPECT_EQ(second->front().locked.tree, locked.tree);
+  EXPECT_TRUE(check_cache(roots_.cache, {})->faults.empty());
+  EXPECT_FALSE(bring({git("../upstream", "1.0")}, {locked})->front().is_new);
+}
+
+TEST_F(SourceTrees, CarriedFilesCountOnlyWhereASiteIsMadeOnceMore) {
+  make_repository("upstream");
+  const auto first = bring({git("../upstream", "1.0")});
+  ASSERT_TRUE(first.ok());
+  const LockedSource locked = first->front().locked;
+  tree_.write("lab/ros2wasm_sources/" + locked.commit + "/arm/package.xml", "<other/>");
+  EXPECT_FALSE(bring({git("../upstream", "1.0")}, {locked})->front().is_carried);
+  const auto carried = bring_source_trees({.entries = {git("../upstream", "1.0")},
+                                           .locked = {locked},
+                                           .must_be_locked = true,
+                                           .takes_carried = true},
+                                          roots_, limits_, {}, {});
+  ASSERT_TRUE(carried.ok());
+  EXPECT_TRUE(carried->front().is_carried);
+  EXPECT_EQ(read(carried->front().folder / "arm/package.xml"), "<other/>");
+}
+
+TEST_F(SourceTrees, SettingsOfASurroundingGitDoNotCount) {
+  make_repository("upstream");
+  for (const auto& [name, value] :
+       {std::pair<const char*, const char*>{"GIT_DEFAULT_HASH", "sha256"},
+        {"GIT_DIR", "/nowhere"},
+        {"GIT_INDEX_FILE", "/nowhere/index"},
+        {"GIT_CONFIG_COUNT", "1"}}) {
+    ::setenv(name, value, 1);  // NOLINT(concurrency-mt-unsafe)
+    fs::remove_all(roots_.cache);
+    const auto trees = bring({git("../upstream", "1.0")});
+    ::unsetenv(name);  // NOLINT(concurrency-mt-unsafe)
+    ASSERT_TRUE(trees.ok()) << name << ": " << trees.errors()[0].message;
+  }
+}
+
 TEST_F(SourceTrees, SubmodulesComeAtTheirCommits) {
   make_repository("parts");
   make_repository("upstream");
@@ -209,12 +257,16 @@ TEST_F(SourceTrees, HooksFiltersAndAttributesOfARepositoryStartNothing) {
 TEST_F(SourceTrees, LinksOutOfARepositoryAreRemoved) {
   make_repository("upstream");
   shell("upstream",
-        "ln -s /etc/passwd arm/users; ln -s ../../.. up; git add -A; git commit -qm out");
+        "ln -s /etc/passwd arm/users; ln -s ../../.. up; mkdir -p a/b/c; ln -s ../.. a/b/c/top; "
+        "ln -s a/b/c/top/../.. chain; ln -s round arm/round; git add -A; git commit -qm out");
   const auto trees = bring({git("../upstream")});
   ASSERT_TRUE(trees.ok());
   EXPECT_FALSE(fs::exists(fs::symlink_status(trees->front().folder / "arm/users")));
   EXPECT_FALSE(fs::exists(fs::symlink_status(trees->front().folder / "up")));
-  EXPECT_EQ(trees->front().left_out, (std::vector<std::string>{"arm/users", "up"}));
+  // Each part of the chain stays inside by its name; together they lead out.
+  EXPECT_FALSE(fs::exists(fs::symlink_status(trees->front().folder / "chain")));
+  EXPECT_TRUE(fs::is_symlink(trees->front().folder / "a/b/c/top"));
+  EXPECT_EQ(trees->front().left_out, (std::vector<std::string>{"arm/users", "chain", "up"}));
 }
 
 TEST_F(SourceTrees, TreesBeyondTheLimitsAreRefusedBeforeTheyAreWritten) {
@@ -332,6 +384,20 @@ TEST_F(SourceTrees, AReposFileNamesSeveral) {
   ASSERT_TRUE(trees.ok()) << trees.errors()[0].message;
   EXPECT_EQ(trees->front().entry.name, "upstream");
   EXPECT_EQ(trees->front().entry.revision, "1.0");
+  // Nothing but a hash becomes a name in the cache.
+  const std::string climbing = "../../../../../../../../../../../../../../../../../../../../../x";
+  for (const std::string bad :
+       {"type: hg, url: https://example.org/a", "type: tar, url: file:///etc/a.tar, sha256: a",
+        "type: tar, url: /etc/a.tar", "type: tar, url: 'https://me:secret@example.org/a.tar'"}) {
+    tree_.write("lab/course.repos", "repositories:\n  a: {" + bad + "}\n");
+    EXPECT_EQ(codes(bring({entry})), "R2W0250") << bad;
+  }
+  ASSERT_EQ(climbing.size(), 64U);
+  tree_.write("lab/course.repos",
+              "repositories:\n  a: {type: tar, url: 'https://example.org/a.tar', "
+              "sha256: '" +
+                  climbing + "'}\n");
+  EXPECT_EQ(codes(bring({entry})), "R2W0250");
   tree_.write("lab/course.repos", "repositories:\n  a: {type: hg, url: https://example.org/a}\n");
   EXPECT_EQ(codes(bring({entry})), "R2W0250");
 }
@@ -345,6 +411,17 @@ TEST(NamedSource, AddressesThatGitIsNotGiven) {
        {"-a", "--upload-pack=touch", "ext::sh", "git://example.org/a", "ssh://-oProxyCommand=x/a",
         "ssh://a@-oProxyCommand=x/a", "a@-o:b", "https://me:secret@example.org/a", "a\nb"})
     EXPECT_NE(git_address_fault(bad), "") << bad;
+  EXPECT_EQ(reach_of("https://example.org/a.git"), Reach::kWeb);
+  EXPECT_EQ(reach_of("git@example.org:a.git"), Reach::kSsh);
+  EXPECT_EQ(reach_of("example.org:a.git"), Reach::kSsh);
+  EXPECT_EQ(reach_of("ssh://example.org/a.git"), Reach::kSsh);
+  EXPECT_EQ(reach_of("file:///a.git"), Reach::kMachine);
+  EXPECT_EQ(reach_of("../a"), Reach::kMachine);
+  EXPECT_EQ(file_place_fault("https://example.org/a.tar.gz"), "");
+  EXPECT_EQ(file_place_fault("files/a:b.tar.gz"), "");
+  for (const char* bad : {"/etc/a.tar", "~/a.tar", "file:///a.tar", "ftp://a/b.tar",
+                          "https://me:secret@example.org/a.tar"})
+    EXPECT_NE(file_place_fault(bad), "") << bad;
   for (const char* good : {"1.0", "main", "feature/rooms", "v2-rc1", ""})
     EXPECT_EQ(git_revision_fault(good), "") << good;
   for (const char* bad : {"--all", "a..b", "a b", "a:b", "main~1", "@{1}", "a^", "a\tb"})
@@ -429,6 +506,16 @@ TEST(DistributionFile, WholeDistributionsFitTheLimits) {
   const auto read = read_distribution_file(text, "distribution.yaml");
   ASSERT_TRUE(read.ok()) << read.errors()[0].message;
   EXPECT_EQ(read->size(), 4500U);
+}
+
+TEST(DistributionFile, LongTextsAreNotCopiedForEachPackage) {
+  std::string text = "type: distribution\nrepositories:\n  a:\n    release:\n      packages: [";
+  for (int i = 0; i < 1000; ++i) text += "p" + std::to_string(i) + ", ";
+  text += "q]\n      tags: {release: '" + std::string(100'000, 'a') +
+          "'}\n      url: https://example.org/a.git\n      version: 1.0.0\n";
+  const auto read = read_distribution_file(text, "x.yaml");
+  ASSERT_TRUE(read.ok());
+  EXPECT_TRUE(read->empty());
 }
 
 TEST(DistributionFile, OtherFilesAreRefused) {

@@ -109,6 +109,25 @@ TEST_F(SourcePackagesTest, TheWorkspaceGoesFirst) {
   EXPECT_EQ(chosen->remarks.back(), "the workspace has its own core, so no source's is taken");
 }
 
+TEST_F(SourcePackagesTest, TwoPackagesOfOneNameInASourceAreBothThere) {
+  package("nav/a/core", "core");
+  package("nav/b/core", "core");
+  EXPECT_EQ(names(choose({source("nav", {"core"})})),
+            "nav/a/core/package.xml nav/b/core/package.xml ");  // order_packages(): R2W0511
+}
+
+TEST_F(SourcePackagesTest, ASourceThatASiteCarriedMayLackWhatTheWorkspaceHas) {
+  package("src/core", "core");
+  const auto own = discover_packages(tree_ / "src", "src", {{.value = ".", .span = {}}},
+                                     ros_condition_variables("jazzy"));
+  tree_.write("nav/SOURCE", "https://example.org/nav.git\n");
+  SourceTree carried = source("nav", {"core"});
+  carried.is_carried = true;
+  EXPECT_EQ(names(choose({carried}, *own)), "");
+  carried.entry.packages.clear();
+  EXPECT_EQ(names(choose({carried}, *own)), "");
+}
+
 TEST_F(SourcePackagesTest, NamesThatNoSourceHasAreErrors) {
   package("nav/map_server", "nav2_map_server");
   const auto chosen = choose({source("nav", {"nav2_map_sever"})});

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOutput = std::size_t{256} << 20U;
 /// A small delta can stand for a large object, which git makes in memory.
 constexpr std::uint64_t kMostMemory = std::uint64_t{8} << 30U;
-/// Of its own time; ten times as much by the clock (see Patience).
+/// Its own time; ten times as much by the clock (see Patience).
 constexpr std::chrono::minutes kMostTime{12};
 constexpr std::size_t kHashDigits = 40;
 /// Where a fetched commit is named.

@@ -34,7 +34,7 @@ struct SourceTreesRequest {
   std::vector<NamedSource> entries;  ///< of the manifest; .repos files are read here
   std::vector<LockedSource> locked;  ///< the entries that the lock has
   bool must_be_locked = false;       ///< a source that is not among them is an error
-  /// What kCarriedSources has takes the place of what would be fetched: nobody has checked it.
+  /// The files of kCarriedSources take the place of those that would be fetched, unchecked.
   bool takes_carried = false;
 };
 

@@ -374,6 +374,7 @@ int main(int argc, char** argv) {
   LinkRequest::Request no_wrench;
   no_wrench.link_name = wrench.link_name;
   call<LinkRequest>("/clear_link_wrenches", no_wrench);
+  wait(0.2);  // a clock step may still be under way when the service answers
   report("no wrench", acceleration("puck"), 0, 0.002);
   wrench.link_name = "nobody::body";
   const auto missed = call<ApplyLinkWrench>("/apply_link_wrench", wrench);
@@ -389,6 +390,7 @@ int main(int argc, char** argv) {
   JointRequest::Request no_effort;
   no_effort.joint_name = effort.joint_name;
   call<JointRequest>("/clear_joint_efforts", no_effort);
+  wait(0.2);
   report("no effort", joint_acceleration(), 0, 0.002);
   geometry_msgs::msg::Wrench along;
   along.force.x = 1;  // of the link, which looks along y

@@ -198,7 +198,8 @@ TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
   EXPECT_EQ(request.errors()[0].code, "R2W0513");
   EXPECT_EQ(request.errors()[0].span->line, 8U);
   EXPECT_EQ(request.errors()[1].span->line, 7U);
-  EXPECT_EQ(request.errors()[1].why.back(), "a channel has `ros-jazzy-std-msgs`");
+  ASSERT_EQ(request.errors()[1].why.size(), 3U);
+  EXPECT_EQ(request.errors()[1].why[1], "a channel has `ros-jazzy-std-msgs`");
 }
 
 TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {

@@ -209,7 +209,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   auto sources = add_source_packages(manifest, sources_request, roots, *limits, *packages,
                                      cancellation, progress);
   if (!sources) return std::move(sources).errors();
-  // Before anybody is asked for anything: mistakes that what is there shows.
+  // Mistakes in the packages at hand are reported before a channel is asked.
   if (auto known = order_packages(*packages, manifest.distro); !known)
     return std::move(known).errors();
   auto compiler = find_compiler(request.variables);

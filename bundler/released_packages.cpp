@@ -12,6 +12,7 @@
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/source_packages.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
+#include "workspace_schema/base/names.hpp"
 #include "workspace_schema/schema/distribution_file.hpp"
 
 namespace ros2wasm {
@@ -37,7 +38,8 @@ class ReleasedPackages {
         progress_(progress) {
     for (const NodeEntry& node : manifest.nodes) launched_.insert(node.package.value);
     for (const ProgramEntry& program : manifest.programs) launched_.insert(program.package.value);
-    for (const auto& dependency : manifest.dependencies) launched_.insert(dependency.value);
+    for (const auto& dependency : manifest.dependencies)
+      if (!package_name_fault(dependency.value)) launched_.insert(dependency.value);
     for (const LocalPackage& package : packages) add_launched(package);
     for (const NamedSource& one : manifest.sources) {
       if (one.kind == SourceKind::kDistribution)
@@ -64,8 +66,8 @@ class ReleasedPackages {
     for (const auto& name : package.launch_packages) launched_.insert(name.value);
   }
 
-  /// The names that must come from somewhere. What only package.xml names for running is not among
-  /// them: most of it is never started.
+  /// The names that must come from somewhere. Names that are only in a package.xml, for running,
+  /// are not among them: most of these packages are never started.
   [[nodiscard]] std::set<std::string> wanted() const {
     std::set<std::string> names = launched_;
     for (const ExternalDependency& one : external_dependencies(packages_, {}, manifest_.distro)) {
@@ -88,7 +90,7 @@ class ReleasedPackages {
   Outcome<std::vector<NamedSource>> missing_sources() {
     std::vector<NamedSource> entries;
     for (const std::string& name : wanted()) {
-      // Each is asked for once: what its tag does not have stays missing.
+      // Each is asked for once: a package that its tag does not have stays missing.
       if (is_here(name) || has_stand_in(name, [](const std::string&) { return false; }) ||
           !asked_.insert(name).second)
         continue;
@@ -135,6 +137,10 @@ class ReleasedPackages {
     for (const NamedSource& one : manifest_.sources) {
       if (one.kind != SourceKind::kDistribution) continue;
       auto read = read_distribution(one);
+      // The lock was made with the list: it has what the list was needed for.
+      if (!read && read.errors().front().code == "R2W0253" && roots_.network.offline &&
+          !is_absent(request_.folder / kLockFileName))
+        continue;
       if (!read) {
         Diagnostics errors;
         append(errors, read.errors(), one.span);

@@ -35,7 +35,7 @@ struct WorkspaceSources {
     const ExtractLimits& limits, std::vector<LocalPackage>& packages,
     const Cancellation& cancellation, const ProgressSink& progress);
 
-/// The sources of the lock that are not chosen anew; none when there is no lock.
+/// The sources in the lock, without those that the request updates. Empty when there is no lock.
 [[nodiscard]] Outcome<std::vector<LockedSource>> locked_sources(const SourcesRequest& request);
 
 /// As they go into the lock: each once, sorted.

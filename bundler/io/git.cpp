@@ -82,7 +82,8 @@ Diagnostic cannot_fetch(const std::string& address, std::string_view said) {
                   .message = "the git repository `" + address + "` cannot be fetched",
                   .why = reasons_in(said)};
   if (said.find("dubious ownership") != std::string_view::npos)
-    made.fix.emplace_back("use the files of a repository that another user has with `folder:`");
+    made.fix.emplace_back(
+        "name its path with `folder:` in place of `git:`; its files are then taken as they are");
   return made;
 }
 
@@ -140,8 +141,8 @@ Outcome<GitRepository::Answer> GitRepository::run(std::vector<std::string> argum
                             cancellation_);
   if (!result) return std::move(result).errors();
   if (result->is_out_of_room)
-    result->error += "fatal: it has more to say than " + std::to_string(kMostOutput) + " bytes\n";
-  if (result->is_out_of_time) result->error += "fatal: it did not come to an end\n";
+    result->error += "stopped: it wrote more than " + std::to_string(kMostOutput) + " bytes\n";
+  if (result->is_out_of_time) result->error += "stopped: it did not finish in time\n";
   result->error += said_of_signal(*result);
   return Answer{.exit_code = result->exit_code,
                 .output = std::move(result->output),

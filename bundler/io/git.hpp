@@ -33,7 +33,7 @@ class GitRepository {
  public:
   /// `address` is one of git's, or a folder. `folder` must not exist; its parent must be empty but
   /// for such folders. `most_bytes` is the limit of each file that git writes, and thus of what a
-  /// server sends. R2W0910 there is no git.
+  /// server sends. R2W0910 when git is not installed.
   [[nodiscard]] static Outcome<GitRepository> make(const std::string& address,
                                                    const std::filesystem::path& folder,
                                                    std::uint64_t most_bytes,

@@ -76,7 +76,7 @@ class Choice {
     for (std::size_t i = 0; i < trees_.size(); ++i) add_packages(i, result);
     if (!errors_.empty()) return std::move(errors_);
     for (const std::string& name : replaced_)
-      result.remarks.push_back("the workspace has its own " + name + ", so no source's is taken");
+      result.remarks.push_back(name + " is taken from the workspace, not from a source");
     return result;
   }
 

@@ -159,7 +159,12 @@ test('with the lock nobody is asked, and all comes from the cache', watchdog, as
   assert.equal(repositories.requests(), requests);
   assert.equal((await ws.run(['check'])).code, 0);
   rmSync(join(ws.cache, 'ros2wasm/sources'), { recursive: true });
+  rmSync(join(ws.cache, 'ros2wasm/index'), { recursive: true });
   await succeeds('cache', 'fetch');
+  // The list itself is not here now, and a name that neither it nor the lock has does not ask for it.
+  ws.write('workspace.yaml', manifest(`dependencies: [no_such_package_here]\nsources: [{distribution: "${address}"}]\n`));
+  assert.match((await ws.run(['pack', '-o', 'site', '--offline'])).stderr, /no_such_package_here/);
+  ws.write('workspace.yaml', manifest(`sources: [{distribution: "${address}"}]\n`));
   await succeeds('pack', '-o', 'site', '--offline');
   assert.deepEqual(ws.files('site'), files);
 });

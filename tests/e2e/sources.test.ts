@@ -167,7 +167,7 @@ test('lock --update takes what the tag names now', watchdog, async () => {
 test('a package of the workspace takes the place of the source\'s', watchdog, async () => {
   ws.addPackage('arm_driver', { driver: '#include <cstdio>\nint main() { std::puts("my own driver"); }\n' });
   const said = await succeeds('pack', '-o', 'site');
-  assert.match(said, /the workspace has its own arm_driver, so no source's is taken/);
+  assert.match(said, /arm_driver is taken from the workspace, not from a source/);
   assert.match(await succeeds('run', 'site', '--for', '20s', '--until', 'my own driver'), /my own driver/);
   rmSync(join(ws.root, 'src/arm_driver'), { recursive: true });
 });
@@ -200,6 +200,25 @@ launch:
   assert.match(said, /from arms main, commit \w{10}: arm_msgs\n[^]*from arms: arm_driver\n/);
   assert.doesNotMatch(ws.read('deep/ros2wasm.lock').toString(), /folder/);
   assert.match(await succeeds('run', 'deep_site', '--for', '20s', '--until', 'reach 0'), /reach 0\.25 m/);
+});
+
+// Guarantee, hostile input: a repository on the web whose submodule is a path on this machine, or needs the user's ssh keys
+test('a submodule of a repository on the web does not lead to this machine', watchdog, async () => {
+  ws.write('git/secret/arm/package.xml', packageXml('arm_secret', 'ament_cmake', ''));
+  const secret = commitAll(join(ws.root, 'git/secret'), '1.0');
+  for (const url of [`file://${join(ws.root, 'git/secret')}`, join(ws.root, 'git/secret'), 'git@127.0.0.1:secret.git']) {
+    const trap = join(ws.root, 'git/trap');
+    ws.write('git/trap/arm/package.xml', packageXml('arm', 'ament_cmake', ''));
+    ws.write('git/trap/.gitmodules', `[submodule "s"]\n\tpath = s\n\turl = ${url}\n`);
+    commitAll(trap, '1.0');
+    git(trap, 'update-index', '--add', '--cacheinfo', `160000,${secret},s`);
+    git(trap, 'commit', '--quiet', '--amend', '--message', 'trap');
+    ws.write('trapped/workspace.yaml', `schema: 1\nname: trapped\nsources: [{git: "${server.address}/trap", revision: main}]\nlaunch:\n  - {package: arm, executable: arm}\n`);
+    const { code, stderr } = await ws.run(['pack', 'trapped', '-o', 'trapped_site']);
+    assert.equal(code, 1, stderr);
+    assert.match(stderr, /error\[R2W0254\]: the source `trap` is not taken\n[^]*its submodule `s` comes from/);
+    rmSync(trap, { recursive: true });
+  }
 });
 
 test('leftovers of fetches are removed by cache prune, and the rest stays', watchdog, async () => {

@@ -106,7 +106,7 @@ TEST_F(SourcePackagesTest, TheWorkspaceGoesFirst) {
   ASSERT_TRUE(own.ok());
   const auto chosen = choose({source("nav", {"server"})}, *own);
   EXPECT_EQ(names(chosen), "nav/parts/package.xml nav/server/package.xml ");
-  EXPECT_EQ(chosen->remarks.back(), "the workspace has its own core, so no source's is taken");
+  EXPECT_EQ(chosen->remarks.back(), "core is taken from the workspace, not from a source");
 }
 
 TEST_F(SourcePackagesTest, TwoPackagesOfOneNameInASourceAreBothThere) {

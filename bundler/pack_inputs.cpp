@@ -24,6 +24,7 @@
 #include "bundler/workspace_sources.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/conda/version.hpp"
 #include "workspace_schema/schema/manifest_reader.hpp"
 
 namespace ros2wasm {
@@ -56,7 +57,8 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   }
   const auto text = read_file(file, kMostOfText);
   if (!text) return text.errors();
-  auto manifest = read_manifest(*text, file.string());
+  auto manifest = read_manifest(*text, file.string(),
+                                request.for_channel ? ManifestUse::kPackages : ManifestUse::kSite);
   if (!manifest) return std::move(manifest).errors();
   BuiltWorkspace workspace;
   workspace.manifest = std::move(manifest).value();
@@ -150,6 +152,39 @@ std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) 
   return places;
 }
 
+/// Packages of the workspace and of its sources that no channel has: packages of channels may need
+/// them.
+std::vector<PackageRecord> built_here(const std::vector<LocalPackage>& packages,
+                                      const LeftOutPackages& left_out, const KnownNames& known,
+                                      std::string_view distro) {
+  std::vector<PackageRecord> records;
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    std::string name = conda_name(packages[i].xml.name.value, distro);
+    const std::string& version = packages[i].xml.version.value;
+    if (left_out.contains(i) || !Version::parse(version) ||
+        std::binary_search(known.names.begin(), known.names.end(), name))
+      continue;
+    records.push_back({.name = std::move(name),
+                       .version = version,
+                       .build = "workspace",
+                       .subdir = "noarch",
+                       .channel = {},
+                       .file_name = {},
+                       .url = {}});
+  }
+  return records;
+}
+
+/// The build of kClientAbi that the channels have; of several, that of the first channel. Empty
+/// when none has it.
+Outcome<std::string> client_abi_of(OpenChannels& open, ChannelPriority priority,
+                                   const Cancellation& cancellation) {
+  const std::string name(kClientAbiPackage);
+  const auto found = open.reachable({&name, 1}, priority, cancellation);
+  if (!found) return found.errors();
+  return found->records.empty() ? std::string() : found->records.front().build;
+}
+
 /// Each once, sorted by text as they are.
 void add_specs(std::vector<RequestedSpec> specs, ChannelRequest& wanted) {
   const auto is_before = [](const RequestedSpec& a, const RequestedSpec& b) {
@@ -177,6 +212,11 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   auto read = read_workspace(request);
   if (!read) return std::move(read).errors();
   BuiltWorkspace workspace = std::move(read).value();
+  if (!request.more_sources.empty()) {
+    if (!workspace.has_manifest) workspace.manifest.packages.clear();
+    workspace.manifest.sources.insert(workspace.manifest.sources.end(),
+                                      request.more_sources.begin(), request.more_sources.end());
+  }
   const Manifest& manifest = workspace.manifest;
   if (auto nobody = placeholder_author(manifest)) {
     if (request.signer) return *std::move(nobody);
@@ -254,6 +294,11 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
         open->reachable({&compiler_package, 1}, manifest.channel_priority, cancellation);
     if (!compilers) return compilers.errors();
     packaged = compilers->records;
+    if (request.for_channel) {
+      auto abi = client_abi_of(*open, manifest.channel_priority, cancellation);
+      if (!abi) return std::move(abi).errors();
+      workspace.client_abi = *std::move(abi);
+    }
   }
   if (auto added = add_released_packages(manifest, sources_request, roots, *limits, known.names,
                                          *packages, *sources, cancellation, progress);
@@ -287,15 +332,17 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (!wanted) return std::move(wanted).errors();
   add_wheel_request(*wheels, known, manifest.distro, workspace.libraries, *wanted);
   add_specs(std::move(*more), *wanted);
+  std::vector<PackageRecord> here = built_here(*packages, left_out, known, manifest.distro);
   if (open) {
     std::vector<std::string> texts;
     for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
     index = open->reachable(texts, manifest.channel_priority, cancellation);
     if (!index) return std::move(index).errors();
-  } else if (auto faults = check_solution(wanted->specs, index->records); !faults.empty()) {
+  } else if (auto faults = check_solution(wanted->specs, index->records, here); !faults.empty()) {
     faults.back().fix.emplace_back("ros2wasm lock");
     return faults;
   }
+  index->built_here = std::move(here);
   append(workspace.warnings, wanted->warnings);
   workspace.channel_names = known.names;
   workspace.roots = roots;
@@ -319,11 +366,12 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
 Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question,
                                             const Cancellation& cancellation) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
-  const LockRest rest{.absent = question.absent,
-                      .sources = sources_to_lock(question.workspace.source_trees),
-                      .wheels = locked_wheels(question.workspace.wheels),
-                      .python_index = question.workspace.python_index,
-                      .libraries = question.workspace.libraries};
+  const LockRest rest{
+      .absent = question.absent,
+      .sources = sources_to_lock(question.workspace.source_trees, question.packages),
+      .wheels = locked_wheels(question.workspace.wheels),
+      .python_index = question.workspace.python_index,
+      .libraries = question.workspace.libraries};
   auto solved = solve_with_lock(question.specs, rest, question.index, lock_file,
                                 question.workspace.manifest.channel_priority, request.locked, {},
                                 cancellation);

@@ -8,6 +8,7 @@
 
 #include "bundler/build/cached_header.hpp"
 #include "bundler/build/direct_link.hpp"
+#include "bundler/build/foreign_packages.hpp"
 #include "bundler/build/plugin_link.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"
@@ -184,6 +185,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const Store store(roots, question->limits);
   const auto environment = make_environment(store, *records, cancellation, progress);
   if (!environment) return environment.errors();
+  if (auto fits = check_foreign_packages(*records, store); !fits) return std::move(fits).errors();
   for (const std::string& name : environment->without_hashes)
     workspace->remarks.push_back("only the archive of " + name +
                                  " could be checked: it is an old " +
@@ -234,13 +236,22 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                .environment_key = environment->key,
                                .channel_packages = question->all_packages,
                                .lacks = question->lacks,
-                               .builder_of = builder_of};
+                               .builder_of = builder_of,
+                               .keeps_going = request.for_channel};
+  if (request.plan_builds) {
+    auto planned =
+        plan_builds(question->packages, question->order, question->left_out, tools, settings);
+    if (!planned) return std::move(planned).errors();
+    workspace->planned = *std::move(planned);
+    return std::move(*workspace);
+  }
   auto built = build_workspace(question->packages, question->order, question->left_out, tools,
                                settings, cancellation, progress);
   if (!built) return std::move(built).errors();
   append(workspace->warnings, built->warnings);
   workspace->packages = std::move(built->packages);
   workspace->left_out = std::move(built->left_out);
+  workspace->failed = std::move(built->failed);
   if (!workspace->packages.empty()) workspace->remarks.push_back(build_remark(workspace->packages));
   if (std::string remark = warnings_remark(workspace->packages); !remark.empty())
     workspace->remarks.push_back(std::move(remark));
@@ -283,11 +294,12 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     report.packages = std::move(question->index.records);
     return report;
   }
-  const LockRest rest{.absent = question->absent,
-                      .sources = sources_to_lock(question->workspace.source_trees),
-                      .wheels = locked_wheels(question->workspace.wheels),
-                      .python_index = question->workspace.python_index,
-                      .libraries = question->workspace.libraries};
+  const LockRest rest{
+      .absent = question->absent,
+      .sources = sources_to_lock(question->workspace.source_trees, question->packages),
+      .wheels = locked_wheels(question->workspace.wheels),
+      .python_index = question->workspace.python_index,
+      .libraries = question->workspace.libraries};
   auto solved = solve_with_lock(question->specs, rest, question->index, report.file,
                                 question->workspace.manifest.channel_priority, false,
                                 without_sources(request.update, question->workspace.source_trees),

@@ -33,6 +33,7 @@ struct PackRequest {
   bool offline = false;  ///< nothing comes over the network
   bool with_channel = false;         ///< the packages of the channels lie beside the site
   bool plan_only = false;            ///< write nothing but the build cache
+  bool plan_builds = false;          ///< of build(): it stops before something is built
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
   unsigned jobs = 0;            ///< compilers at once; 0: one per processor
@@ -44,7 +45,10 @@ struct PackRequest {
   std::filesystem::path built;      ///< where builds are kept; empty: in the cache
   std::string archive_limits;       ///< see extract_limits.hpp; empty: as the environment says
   LockUpdate update = {};           ///< what is chosen anew although the lock has it
-  bool takes_carried = false;       ///< of a site that is made once more: the sources in it
+  bool for_channel =
+      false;  ///< packages that fail are listed, and no program is linked with plugins of others
+  std::vector<NamedSource> more_sources = {};  ///< beside those of the manifest
+  bool takes_carried = false;  ///< of a site that is made once more: the sources in it
   std::shared_ptr<const SiteSigner> signer;  ///< who signs the site; nobody when null
 };
 
@@ -63,6 +67,9 @@ struct BuiltWorkspace {
   BuildTools tools;                        ///< that built them,
   BuildSettings settings;                  ///< and how
   std::vector<BuiltPackage> packages;      ///< of the workspace, in build order
+  std::vector<PlannedBuild> planned;       ///< when builds are only planned; nothing is built then
+  std::vector<FailedPackage> failed;       ///< packages of the workspace, for a channel
+  std::string client_abi;  ///< for a channel: the build of kClientAbi; empty when there is none
   std::vector<InstalledPackage>
       installed;                          ///< of workspace and channels; the workspace comes first
   std::filesystem::path environment;      ///< the prefix with the packages of the channels

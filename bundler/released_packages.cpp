@@ -136,7 +136,7 @@ class ReleasedPackages {
     Released all;
     for (const NamedSource& one : manifest_.sources) {
       if (one.kind != SourceKind::kDistribution) continue;
-      auto read = read_distribution(one);
+      auto read = read_distribution(one.place, roots_, cancellation_);
       // The lock was made with the list: it has what the list was needed for.
       if (!read && read.errors().front().code == "R2W0253" && roots_.network.offline &&
           !is_absent(request_.folder / kLockFileName))
@@ -150,30 +150,6 @@ class ReleasedPackages {
     }
     distribution_ = std::move(all);
     return &*distribution_;
-  }
-
-  Outcome<Released> read_distribution(const NamedSource& source) const {
-    std::filesystem::path file = roots_.working_directory / source.place;
-    if (is_web_place(source.place)) {
-      auto local = ros2wasm::bring(source.place, roots_, cancellation_);
-      if (!local) return std::move(local).errors();
-      if (!*local)
-        return Diagnostic{
-            .code = "R2W0253",
-            .kind = FailureKind::kEnvironment,
-            .message = "`" + source.place + "` is not on this machine",
-            .why = {roots_.network.offline ? "with --offline nothing comes over the network"
-                                           : "the server has no such file"}};
-      file = **std::move(local);
-    }
-    const auto text = read_file(file, kMostOfText);
-    if (!text) return text.errors();
-    auto released = read_distribution_file(*text, source.place);
-    if (!released || !is_web_place(source.place)) return released;
-    // A list from the web must not name what only this user can read.
-    std::erase_if(*released,
-                  [](const auto& one) { return reach_of(one.second.url) > Reach::kWeb; });
-    return released;
   }
 
   Outcome<Done> bring(std::vector<NamedSource> entries) {
@@ -214,6 +190,30 @@ class ReleasedPackages {
 };
 
 }  // namespace
+
+Outcome<Released> read_distribution(const std::string& place, const ChannelRoots& roots,
+                                    const Cancellation& cancellation) {
+  std::filesystem::path file = roots.working_directory / place;
+  if (is_web_place(place)) {
+    auto local = bring(place, roots, cancellation);
+    if (!local) return std::move(local).errors();
+    if (!*local)
+      return Diagnostic{
+          .code = "R2W0253",
+          .kind = FailureKind::kEnvironment,
+          .message = "`" + place + "` is not on this machine",
+          .why = {roots.network.offline ? "with --offline nothing comes over the network"
+                                        : "the server has no such file"}};
+    file = **std::move(local);
+  }
+  const auto text = read_file(file, kMostOfText);
+  if (!text) return text.errors();
+  auto released = read_distribution_file(*text, place);
+  if (!released || !is_web_place(place)) return released;
+  // A list from the web must not name what only this user can read.
+  std::erase_if(*released, [](const auto& one) { return reach_of(one.second.url) > Reach::kWeb; });
+  return released;
+}
 
 Outcome<Done> add_released_packages(const Manifest& manifest, const SourcesRequest& request,
                                     const ChannelRoots& roots, const ExtractLimits& limits,

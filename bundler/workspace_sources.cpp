@@ -64,10 +64,18 @@ Outcome<WorkspaceSources> add_source_packages(
   return sources;
 }
 
-std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees) {
+std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees,
+                                          const std::vector<LocalPackage>& packages) {
   std::vector<LockedSource> sources;
   for (const SourceTree& tree : trees) {
-    if (!tree.can_change) sources.push_back(tree.locked);
+    if (tree.can_change) continue;
+    LockedSource& source = sources.emplace_back(tree.locked);
+    source.packages.clear();
+    for (const LocalPackage& one : packages) {
+      if (one.base == tree.folder)
+        source.packages.push_back(one.xml.name.value + " " + one.xml.version.value);
+    }
+    std::sort(source.packages.begin(), source.packages.end());
   }
   std::sort(sources.begin(), sources.end(), [](const LockedSource& a, const LockedSource& b) {
     return std::tie(a.git, a.archive, a.revision, a.package) <

@@ -38,8 +38,9 @@ struct WorkspaceSources {
 /// The sources in the lock, without those that the request updates. Empty when there is no lock.
 [[nodiscard]] Outcome<std::vector<LockedSource>> locked_sources(const SourcesRequest& request);
 
-/// As they go into the lock: each once, sorted.
-[[nodiscard]] std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees);
+/// As they go into the lock: each once, sorted, with those of the packages that are taken of it.
+[[nodiscard]] std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees,
+                                                        const std::vector<LocalPackage>& packages);
 
 /// The same without the names of sources: what is left are packages of channels.
 [[nodiscard]] LockUpdate without_sources(LockUpdate update, const std::vector<SourceTree>& trees);

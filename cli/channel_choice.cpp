@@ -6,8 +6,8 @@
 #include "bundler/store/cache_place.hpp"
 
 namespace ros2wasm {
-Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
-                                           std::span<std::string> specs, const Context& context) {
+
+Outcome<ChannelRoots> chosen_roots(const ChannelChoice& choice, const Context& context) {
   std::error_code error;
   auto cache = cache_directory(context.environment);
   if (!cache) return std::move(cache).errors();
@@ -18,6 +18,14 @@ Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
   roots.network.offline = choice.offline;
   if (!choice.platform.empty()) roots.platform = choice.platform;
   if (auto embedded = embedded_channel(context.executable)) roots.embedded = std::move(*embedded);
+  return roots;
+}
+
+Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
+                                           std::span<std::string> specs, const Context& context) {
+  auto made = chosen_roots(choice, context);
+  if (!made) return std::move(made).errors();
+  ChannelRoots roots = *std::move(made);
   std::vector<ChannelSource> channels;
   for (const std::string& name : choice.channels) channels.push_back({.name = name, .span = {}});
   if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});

@@ -16,8 +16,12 @@ struct ChannelChoice {
   std::string platform;  ///< beside noarch; empty: emscripten-wasm32
 };
 
-/// And those that `specs` name, which lose credentials. Errors of channel_addresses(),
-/// add_named_channel() and open_channels().
+/// Where channels and lists lie for a command without a workspace.
+[[nodiscard]] Outcome<ChannelRoots> chosen_roots(const ChannelChoice& choice,
+                                                 const Context& context);
+
+/// The channels, and those that `specs` name, which lose credentials. Errors of
+/// channel_addresses(), add_named_channel() and open_channels().
 [[nodiscard]] Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
                                                          std::span<std::string> specs,
                                                          const Context& context);

@@ -1,11 +1,12 @@
-// `ros2wasm channel add DIR ...`, `index DIR` and `check DIR`: make conda channels, and look
-// what is in them.
+// `ros2wasm channel build WORKSPACE -o DIR`, `add DIR ...`, `index DIR` and `check DIR`: make conda
+// channels, and look what is in them.
 #include <charconv>
 #include <memory>
 
 #include "bundler/channel/channel_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "cli/arguments.hpp"
+#include "cli/channel_build.hpp"
 #include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/base/json_reader.hpp"
@@ -32,6 +33,7 @@ struct ChannelOptions {
   std::string placeholder;
   bool noarch = false;
   bool all = false;
+  ChannelBuildOptions built;  // but for the words
 };
 
 Diagnostic usage_error(std::string message, std::string why) {
@@ -205,9 +207,26 @@ CommandBody channel_command(Arguments& arguments) {
   const auto options = std::make_shared<ChannelOptions>();
   arguments.required(
       "ACTION", options->action,
-      "`add` puts a package into a channel, `index` writes its index, `check` lists the "
-      "records that cannot be used");
-  arguments.rest("DIR", options->words, "the channel's folder; behind it, for `add`, an archive");
+      "`build` makes a channel of a workspace, of .repos files or of packages of a distribution; "
+      "`add` puts a package into a channel, `index` writes its index, `check` lists the records "
+      "that cannot be used");
+  arguments.rest(
+      "WORDS", options->words,
+      "the channel's folder; behind it, for `add`, an archive. For `build`, a workspace, "
+      "or .repos files and names of packages");
+  arguments.text("-o,--output", options->built.output, "DIR",
+                 "for `build`: the channel's folder; what it has stays");
+  arguments.text("--distribution", options->built.distribution, "FILE",
+                 "for `build`: a distribution file of rosdistro, a path or an address");
+  arguments.text("--report", options->built.report, "FILE",
+                 "for `build`: write what became of each package, as JSON or, in a .md file, "
+                 "as Markdown");
+  arguments.flag("--locked", options->built.locked,
+                 "for `build`: fail rather than change ros2wasm.lock");
+  arguments.flag("--offline", options->built.offline,
+                 "for `build`: nothing comes over the network");
+  arguments.number("-j,--jobs", options->built.jobs, "N", 1, 256,
+                   "for `build`: compilers at once (default: one per processor)");
   arguments.value("--prefix", options->prefix, "TREE", "Pack the files of this folder");
   arguments.value("--metadata", options->metadata, "FILE",
                   "JSON with name, version, build, build_number, subdir, depends, noarch ...");
@@ -230,16 +249,24 @@ CommandBody channel_command(Arguments& arguments) {
   arguments.flag(
       "--all", options->all,
       "for `index`: read every archive, not only those which changed since the last time");
-  arguments.examples({"ros2wasm channel add my-channel --prefix stage --metadata package.json",
+  arguments.examples({"ros2wasm channel build course_ws -o my-channel",
+                      "ros2wasm channel build course.repos -o my-channel --report report.md",
+                      "ros2wasm channel build nav2_map_server --distribution distribution.yaml -o "
+                      "my-channel",
+                      "ros2wasm channel add my-channel --prefix stage --metadata package.json",
                       "ros2wasm channel add my-channel demo-1.0-0.conda",
                       "ros2wasm channel index my-channel", "ros2wasm channel check my-channel"});
   return [options](Context& context) {
+    if (options->action == "build") {
+      options->built.words = options->words;
+      return run_channel_build(options->built, context);
+    }
     if (options->action == "add") return add(*options, context);
     if (options->action == "index") return index(*options, context);
     if (options->action == "check") return check(*options, context);
     return context.console.fail(
         usage_error("`ros2wasm channel` has no action `" + options->action + "`",
-                    "the actions are: add, index, check"));
+                    "the actions are: build, add, index, check"));
   };
 }
 

@@ -1,21 +1,59 @@
-// `ros2wasm search SPEC`: what the channels have that fits.
+// `ros2wasm search SPEC`: what the channels have that fits, and what a distribution has sources of.
 #include <algorithm>
 #include <memory>
 
+#include "bundler/released_packages.hpp"
+#include "bundler/workspace/build_order.hpp"
 #include "cli/arguments.hpp"
 #include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/base/json_writer.hpp"
 #include "workspace_schema/base/suggestion.hpp"
 #include "workspace_schema/conda/match_spec.hpp"
+#include "workspace_schema/schema/manifest.hpp"
 
 namespace ros2wasm {
 namespace {
 
 struct SearchOptions {
   std::string spec;
+  std::string distribution;
   ChannelChoice choice;
 };
+
+/// A package that can be built from its sources.
+struct Source {
+  std::string name;
+  std::string version;
+  ReleasedPackage released;
+};
+
+/// The packages of the distribution that fit, by ROS name or by conda's.
+Outcome<std::vector<Source>> search_sources(const MatchSpec& spec, const SearchOptions& options,
+                                            const Context& context) {
+  std::vector<Source> found;
+  if (options.distribution.empty()) return found;
+  const auto roots = chosen_roots(options.choice, context);
+  if (!roots) return roots.errors();
+  const auto released = read_distribution(options.distribution, *roots, context.cancellation);
+  if (!released) return released.errors();
+  for (const auto& [name, one] : *released) {
+    // The part after `-` counts the releases of a version, not versions.
+    PackageRecord record{.name = conda_name(name, Manifest().distro),
+                         .version = one.version.substr(0, one.version.find('-')),
+                         .build = "source",
+                         .subdir = "noarch"};
+    const auto version = Version::parse(record.version);
+    if (!version) continue;
+    bool fits = false;
+    for (const std::string& called : {record.name, name}) {
+      record.name = called;
+      fits = fits || (spec.name().matches(called) && spec.matches(record, *version));
+    }
+    if (fits) found.push_back({name, record.version, one});
+  }
+  return found;
+}
 
 struct Found {
   PackageRecord record;
@@ -66,12 +104,15 @@ Diagnostic nothing_fits(const MatchSpec& spec, const OpenChannels& open, bool na
   return made;
 }
 
-void show(Context& context, const std::vector<Found>& found) {
+void show(Context& context, const std::vector<Found>& found, const std::vector<Source>& sources) {
   if (!context.json) {
     for (const auto& [record, version] : found) {
       context.console.result(record.name + " " + record.version + " " + record.build + "  " +
                              record.subdir + "  " + record.channel);
     }
+    for (const Source& one : sources)
+      context.console.result(one.name + " " + one.version + " source  " + one.released.url + " " +
+                             one.released.tag);
     return;
   }
   JsonWriter json;
@@ -84,6 +125,11 @@ void show(Context& context, const std::vector<Found>& found) {
     json.key("depends").begin_array();
     for (const std::string& one : record.depends) json.string(one);
     json.end_array().end_object();
+  }
+  json.end_array().key("sources").begin_array();
+  for (const Source& one : sources) {
+    json.begin_object().field("name", one.name).field("version", one.version);
+    json.field("git", one.released.url).field("revision", one.released.tag).end_object();
   }
   json.end_array().end_object();
   context.console.result(json.text());
@@ -98,9 +144,11 @@ int run(Context& context, const SearchOptions& options) {
   if (!spec) return context.console.fail(spec.errors());
   const auto found = search(*spec, *open, context.cancellation);
   if (!found) return context.console.fail(found.errors());
-  if (found->empty())
+  const auto sources = search_sources(*spec, options, context);
+  if (!sources) return context.console.fail(sources.errors());
+  if (found->empty() && sources->empty())
     return context.console.fail(nothing_fits(*spec, *open, !options.choice.channels.empty()));
-  show(context, *found);
+  show(context, *found, *sources);
   return 0;
 }
 
@@ -112,6 +160,9 @@ CommandBody search_command(Arguments& arguments) {
   arguments.values(
       "-c,--channel", options->choice.channels, "CHANNEL",
       "A folder, an address, or a name such as conda-forge; the embedded channel if none");
+  arguments.text(
+      "--distribution", options->distribution, "FILE",
+      "also what this distribution file of rosdistro has sources of: a path or an address");
   arguments.flag("--offline", options->choice.offline, "use only what is on this machine");
   arguments.examples({"ros2wasm search \"ros-jazzy-*msgs\"",
                       "ros2wasm search --channel conda-forge --json \"zlib >=1.3\""});

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bundler/io/files.hpp"
+#include "bundler/serve/request_rules.hpp"
 #include "bundler/serve/site_responder.hpp"
 #include "bundler/site/site_list.hpp"
 #include "cli/arguments.hpp"
@@ -26,10 +27,6 @@ struct Options {
   bool no_isolation = false;
   std::optional<std::string> watch;
 };
-
-bool is_loopback(const std::string& host) {
-  return host == "localhost" || host == "::1" || host.starts_with("127.");
-}
 
 std::string link_to(const std::string& host, int port) {
   const bool any = host == "0.0.0.0" || host == "::";

@@ -64,8 +64,18 @@ void reach(const LockGraph& graph, std::size_t i, std::vector<bool>& reached) {
   for (const LockEdge& edge : graph.needs(i)) reach(graph, edge.package, reached);
 }
 
+/// The packages that are built here, below the source that they come from.
+void print_sources(Context& context, const Lock& lock) {
+  for (const LockedSource& source : lock.sources) {
+    context.console.result("built from " + title_of(source));
+    for (std::size_t k = 0; k < source.packages.size(); ++k)
+      context.console.result((k + 1 == source.packages.size() ? "`-- " : "|-- ") +
+                             source.packages[k]);
+  }
+}
+
 void print_json(Context& context, const LockGraph& graph, const std::vector<std::string>& asked_for,
-                const std::vector<bool>& shown) {
+                const std::vector<bool>& shown, const std::vector<LockedSource>& sources) {
   JsonWriter json;
   json.begin_object().key("asked_for").begin_array();
   for (const std::string& spec : asked_for) json.string(spec);
@@ -74,13 +84,16 @@ void print_json(Context& context, const LockGraph& graph, const std::vector<std:
     if (!shown[i]) continue;
     const PackageRecord& record = graph.package(i);
     json.begin_object().field("name", record.name).field("version", record.version);
-    json.field("build", record.build).key("needs").begin_array();
+    json.field("build", record.build).field("channel", record.channel);
+    json.key("needs").begin_array();
     for (const LockEdge& edge : graph.needs(i)) {
       json.begin_object().field("name", graph.package(edge.package).name);
       json.field("spec", edge.spec).end_object();
     }
     json.end_array().end_object();
   }
+  json.end_array().key("sources").begin_array();
+  for (const LockedSource& source : sources) write_source(json, source);
   json.end_array().end_object();
   context.console.result(json.text());
 }
@@ -92,11 +105,21 @@ int run(Context& context, const TreeOptions& options) {
   TreePrinter printer(context, graph);
   if (!options.name.empty()) {
     const auto package = graph.find(options.name);
-    if (!package) return context.console.fail(not_in_lock(options.name, lock->packages));
+    if (!package) {
+      const LockedSource* source = source_of_package(*lock, options.name);
+      if (source == nullptr) return context.console.fail(not_in_lock(options.name, lock->packages));
+      if (context.json) {
+        print_json(context, graph, {options.name}, std::vector<bool>(graph.size(), false),
+                   {*source});
+      } else {
+        context.console.result(options.name + " is built from " + title_of(*source));
+      }
+      return 0;
+    }
     if (context.json) {
       std::vector<bool> reached(graph.size(), false);
       reach(graph, *package, reached);
-      print_json(context, graph, {options.name}, reached);
+      print_json(context, graph, {options.name}, reached, {});
     } else {
       printer.root(*package);
     }
@@ -105,10 +128,11 @@ int run(Context& context, const TreeOptions& options) {
   if (context.json) {
     std::vector<std::string> asked_for;
     for (const LockEdge& root : graph.roots()) asked_for.push_back(root.spec);
-    print_json(context, graph, asked_for, std::vector<bool>(graph.size(), true));
+    print_json(context, graph, asked_for, std::vector<bool>(graph.size(), true), lock->sources);
     return 0;
   }
   for (const LockEdge& root : graph.roots()) printer.root(root.package);
+  print_sources(context, *lock);
   return 0;
 }
 

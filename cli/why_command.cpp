@@ -48,19 +48,39 @@ int answer(Context& context, const std::string& path, std::uint64_t size,
   return 0;
 }
 
+/// Prints where a package that is built here comes from.
+int why_built(Context& context, const std::string& name, const LockedSource& source) {
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().field("name", name).key("source");
+    write_source(json, source);
+    context.console.result(json.end_object().text());
+    return 0;
+  }
+  context.console.result(name + " is built from " + title_of(source));
+  context.console.result(source.package.empty()
+                             ? "  `sources:` of the manifest names it, or a package that needs it"
+                             : "  the distribution of `sources:` has it, and no channel");
+  return 0;
+}
+
 /// Prints why the lock has a package: the chains from requested packages to it.
 int why_package(Context& context, const std::string& name) {
   const auto lock = read_workspace_lock({});
   if (!lock) return context.console.fail(lock.errors());
   const LockGraph graph(*lock);
   const auto package = graph.find(name);
-  if (!package) return context.console.fail(not_in_lock(name, lock->packages));
+  if (!package) {
+    if (const LockedSource* source = source_of_package(*lock, name))
+      return why_built(context, name, *source);
+    return context.console.fail(not_in_lock(name, lock->packages));
+  }
   const auto chains = graph.chains_to(*package);
   const PackageRecord& record = graph.package(*package);
   if (context.json) {
     JsonWriter json;
     json.begin_object().field("name", record.name).field("version", record.version);
-    json.key("chains").begin_array();
+    json.field("channel", record.channel).key("chains").begin_array();
     for (const auto& chain : chains) {
       json.begin_array();
       for (const LockEdge& edge : chain) {
@@ -73,7 +93,8 @@ int why_package(Context& context, const std::string& name) {
     context.console.result(json.text());
     return 0;
   }
-  context.console.result(record.name + " " + record.version + " " + record.build);
+  context.console.result(record.name + " " + record.version + " " + record.build +
+                         " of the channel " + record.channel);
   if (chains.empty()) context.console.result("  nothing in the lock needs it");
   for (const auto& chain : chains) {
     std::string line = "  asked for: " + chain.front().spec;

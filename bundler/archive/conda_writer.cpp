@@ -115,7 +115,9 @@ std::string about_json(const CondaPackage& package) {
   JsonWriter json;
   json.begin_object();
   if (!package.home.empty()) json.field("home", package.home);
-  json.field("license", package.license).field("summary", package.summary).end_object();
+  json.field("license", package.license);
+  if (!package.source.empty()) json.field("source_url", package.source);
+  json.field("summary", package.summary).end_object();
   return json.text() + "\n";
 }
 

@@ -26,6 +26,7 @@ struct CondaPackage {
   std::vector<std::filesystem::path> license_files;  ///< copied to info/licenses/
   std::string summary;                               ///< one line
   std::string home;                                  ///< URL, may be empty
+  std::string source;                                ///< address and commit, may be empty
   std::int64_t timestamp_ms = 0;                     ///< 0: not written
   /// The absolute prefix that the files were installed for; where a text file holds it, paths.json
   /// says so and the reader replaces it. Empty: nothing is looked for.

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <thread>
 
 #include "bundler/build/cached_work.hpp"
@@ -66,6 +69,51 @@ std::size_t source_count(const fs::path& folder) {
   return count;
 }
 
+/// The durations of earlier builds, a file for each package: how much there was to compile, and
+/// milliseconds.
+constexpr const char* kTimes = "times";
+/// For one source, while nothing is known of this machine.
+constexpr double kSecondsPerSource = 4;
+
+struct BuildTime {
+  double sources = 0;
+  double seconds = 0;
+};
+
+std::optional<BuildTime> read_time(const fs::path& file) {
+  const auto text = read_file(file, kMostOfText);
+  if (!text) return std::nullopt;
+  std::istringstream words(*text);
+  BuildTime time;
+  double milliseconds = 0;
+  if (!(words >> time.sources >> milliseconds) || time.sources < 1) return std::nullopt;
+  time.seconds = milliseconds / 1000;
+  return time;
+}
+
+/// It only serves estimates: that it cannot be written does not matter.
+void note_time(const fs::path& cache, const std::string& name, std::size_t sources,
+               std::chrono::steady_clock::time_point began) {
+  const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(
+      std::chrono::steady_clock::now() - began);
+  static_cast<void>(write_file(
+      cache / kTimes / name, std::to_string(sources) + " " + std::to_string(took.count()) + "\n"));
+}
+
+/// The average of all packages that were built here.
+double seconds_per_source(const fs::path& cache) {
+  BuildTime all;
+  std::error_code error;
+  for (fs::directory_iterator it(cache / kTimes, error), end; !error && it != end;
+       it.increment(error)) {
+    if (const auto time = read_time(it->path())) {
+      all.sources += time->sources;
+      all.seconds += time->seconds;
+    }
+  }
+  return all.sources > 0 ? all.seconds / all.sources : kSecondsPerSource;
+}
+
 /// CMake or a source asks for what is not there.
 bool misses_package(const Diagnostic& error) {
   return error.code == "R2W0507" ||
@@ -100,6 +148,30 @@ class WorkspaceBuilder {
       known_packages_.push_back(package.xml.name.value);
     }
     std::sort(known_packages_.begin(), known_packages_.end());
+  }
+
+  [[nodiscard]] Outcome<std::vector<PlannedBuild>> plan() {
+    std::vector<PlannedBuild> planned;
+    const double usual = seconds_per_source(settings_.cache);
+    for (const std::size_t index : order_.order) {
+      const auto& needs = order_.needs[index];
+      if (state_[index] == State::kNotBuilt ||
+          std::any_of(needs.begin(), needs.end(),
+                      [&](std::size_t need) { return !built_[need].has_value(); }))
+        continue;
+      auto result = found(index);
+      if (!result) return std::move(result).errors();
+      const auto sources = static_cast<double>(sizes_[index]);
+      const auto before = read_time(settings_.cache / kTimes / result->name);
+      const double seconds = before ? before->seconds * sources / before->sources : usual * sources;
+      planned.push_back({.name = result->name,
+                         .version = result->version,
+                         .origin = packages_[index].origin,
+                         .is_cached = result->from_cache,
+                         .seconds = result->from_cache ? 0 : seconds});
+      built_[index] = std::move(*result);
+    }
+    return planned;
   }
 
   [[nodiscard]] Outcome<WorkspaceBuild> run() {
@@ -178,9 +250,10 @@ class WorkspaceBuilder {
     }
   }
 
-  [[nodiscard]] Outcome<BuiltPackage> build(std::size_t index, unsigned jobs) {
+  /// The place of the package's build, by the hash of all that it is made from; `from_cache` when
+  /// it is there.
+  [[nodiscard]] Outcome<BuiltPackage> found(std::size_t index) const {
     const LocalPackage& package = packages_[index];
-    PackageBuilder* const builder = settings_.builder_of(package.xml.build_type);
     std::vector<const BuiltPackage*> needs;
     for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
     const auto hash =
@@ -190,12 +263,24 @@ class WorkspaceBuilder {
     BuiltPackage result{.name = name,
                         .version = package.xml.version.value,
                         .prefix = settings_.cache / "built" / (name + "-" + hash->substr(0, 20)),
-                        .hash = *hash,
-                        .from_cache = true};
-    if (!is_kept(result.prefix, *hash)) {
-      result.from_cache = false;
+                        .hash = *hash};
+    result.from_cache = is_kept(result.prefix, *hash);
+    return result;
+  }
+
+  [[nodiscard]] Outcome<BuiltPackage> build(std::size_t index, unsigned jobs) {
+    const LocalPackage& package = packages_[index];
+    auto there = found(index);
+    if (!there) return there;
+    BuiltPackage result = *std::move(there);
+    if (!result.from_cache) {
+      PackageBuilder* const builder = settings_.builder_of(package.xml.build_type);
+      std::vector<const BuiltPackage*> needs;
+      for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
+      const auto began = std::chrono::steady_clock::now();
       if (auto done = build_anew(*builder, package, needs, result, jobs); !done)
         return std::move(done).errors();
+      note_time(settings_.cache, result.name, sizes_[index], began);
     }
     Diagnostics findings = left_out_programs(result.prefix, place_of(package));
     append(findings, kept_findings(result.prefix, place_of(package)));
@@ -271,6 +356,15 @@ class WorkspaceBuilder {
     return left_out_by_cmake(packages_[index], errors.front());
   }
 
+  void skip_what_needs_skipped() {
+    for (const std::size_t index : order_.order) {
+      if (built_[index] || left_out_.contains(index)) continue;
+      if (const auto needed = nearest_left_out(order_.needs[index], left_out_))
+        left_out_.emplace(
+            index, left_out_with(packages_[index], packages_[*needed], left_out_.at(*needed)));
+    }
+  }
+
   /// Skips the packages that ask for things that neither the channels nor the workspace have, and
   /// the packages that need them. When nothing would remain, adds the missing things to the errors
   /// instead.
@@ -292,12 +386,25 @@ class WorkspaceBuilder {
       left_out_.emplace(failed.first, std::move(*reason));
       return true;
     });
-    for (const std::size_t index : order_.order) {
-      if (built_[index] || left_out_.contains(index)) continue;
-      if (const auto needed = nearest_left_out(order_.needs[index], left_out_))
-        left_out_.emplace(
-            index, left_out_with(packages_[index], packages_[*needed], left_out_.at(*needed)));
-    }
+    skip_what_needs_skipped();
+  }
+
+  /// The packages that failed for a fault of their own; those that need them become skipped ones. A
+  /// fault of the machine, such as a missing tool, stays an error of all.
+  [[nodiscard]] std::vector<FailedPackage> skip_failed() {
+    std::vector<FailedPackage> failed;
+    std::erase_if(errors_, [&](auto& one) {
+      if (std::any_of(one.second.begin(), one.second.end(), [](const Diagnostic& error) {
+            return error.kind == FailureKind::kEnvironment;
+          }))
+        return false;
+      failed.push_back({packages_[one.first].xml.name.value, std::move(one.second)});
+      left_out_.emplace(one.first, LeftOutReason{.chain = {"it does not build"}, .warning = {}});
+      failed_.insert(one.first);
+      return true;
+    });
+    skip_what_needs_skipped();
+    return failed;
   }
 
   [[nodiscard]] Outcome<WorkspaceBuild> result() {
@@ -305,6 +412,8 @@ class WorkspaceBuilder {
     std::sort(errors_.begin(), errors_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     leave_out_what_nobody_can_build();
+    std::vector<FailedPackage> failed;
+    if (settings_.keeps_going) failed = skip_failed();
     Diagnostics all;
     for (auto& [index, errors] : errors_) {
       for (Diagnostic& one : errors) {
@@ -326,12 +435,14 @@ class WorkspaceBuilder {
       return all;
     }
     WorkspaceBuild result;
+    result.failed = std::move(failed);
     for (const std::size_t index : order_.order) {
       if (!built_[index]) continue;
       for (const Diagnostic& one : built_[index]->warnings) result.warnings.push_back(one);
       result.packages.push_back(std::move(*built_[index]));
     }
-    for (const auto& [index, reason] : left_out_) result.warnings.push_back(reason.warning);
+    for (const auto& [index, reason] : left_out_)
+      if (!failed_.contains(index)) result.warnings.push_back(reason.warning);
     result.left_out = chains_by_name(packages_, left_out_);
     return result;
   }
@@ -351,9 +462,28 @@ class WorkspaceBuilder {
   unsigned free_jobs_;                       ///< that no running package has
   std::vector<std::string> known_packages_;  ///< of channels and workspace, sorted: for advice
   LeftOutPackages left_out_;
+  std::set<std::size_t> failed_;  ///< when it keeps going: packages among `left_out_`
   std::mutex mutex_;
   std::condition_variable changed_;
 };
+
+struct ToolHashes {
+  std::string toolchain;
+  std::string setup_reader;
+};
+
+/// The hashes of the project's own files that take part in builds.
+Outcome<ToolHashes> tool_hashes(const BuildTools& tools) {
+  auto toolchain = hash_of_tree(tools.toolchain.parent_path());
+  if (!toolchain) return std::move(toolchain).errors();
+  const auto c_messages = hash_of_tree(tools.c_messages);
+  if (!c_messages) return c_messages.errors();
+  auto setup_reader = tools.python_templates.empty() ? Outcome<std::string>(std::string())
+                                                     : hash_of_tree(tools.python_templates);
+  if (!setup_reader) return std::move(setup_reader).errors();
+  return ToolHashes{.toolchain = *toolchain + *c_messages,
+                    .setup_reader = *std::move(setup_reader)};
+}
 
 }  // namespace
 
@@ -376,17 +506,24 @@ Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& package
                                         const Cancellation& cancellation,
                                         const ProgressSink& progress) {
   if (packages.empty()) return WorkspaceBuild{};
-  auto toolchain = hash_of_tree(tools.toolchain.parent_path());
-  if (!toolchain) return std::move(toolchain).errors();
-  const auto c_messages = hash_of_tree(tools.c_messages);
-  if (!c_messages) return c_messages.errors();
-  *toolchain += *c_messages;
-  auto setup_reader = tools.python_templates.empty() ? Outcome<std::string>(std::string())
-                                                     : hash_of_tree(tools.python_templates);
-  if (!setup_reader) return std::move(setup_reader).errors();
-  return WorkspaceBuilder(packages, order, left_out, tools, std::move(*toolchain),
-                          std::move(*setup_reader), settings, cancellation, progress)
+  const auto hashes = tool_hashes(tools);
+  if (!hashes) return hashes.errors();
+  return WorkspaceBuilder(packages, order, left_out, tools, hashes->toolchain, hashes->setup_reader,
+                          settings, cancellation, progress)
       .run();
+}
+
+Outcome<std::vector<PlannedBuild>> plan_builds(const std::vector<LocalPackage>& packages,
+                                               const BuildOrder& order,
+                                               const LeftOutPackages& left_out,
+                                               const BuildTools& tools,
+                                               const BuildSettings& settings) {
+  if (packages.empty()) return std::vector<PlannedBuild>();
+  const auto hashes = tool_hashes(tools);
+  if (!hashes) return hashes.errors();
+  return WorkspaceBuilder(packages, order, left_out, tools, hashes->toolchain, hashes->setup_reader,
+                          settings, {}, {})
+      .plan();
 }
 
 std::string build_remark(const std::vector<BuiltPackage>& packages) {

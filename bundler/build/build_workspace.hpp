@@ -24,6 +24,7 @@ struct BuildSettings {
       channel_packages;             ///< ROS names that the channels have, sorted: for advice
   Lacks lacks = {};                 ///< of packages that are built all the same
   BuilderOf* builder_of = nullptr;  ///< has a row for each build type of the order
+  bool keeps_going = false;         ///< packages that fail are listed, not an error
 };
 
 struct BuiltPackage {
@@ -35,10 +36,16 @@ struct BuiltPackage {
   Diagnostics warnings = {};  ///< programs that were skipped, and what the compiler warned of
 };
 
+struct FailedPackage {
+  std::string name;
+  Diagnostics errors;
+};
+
 struct WorkspaceBuild {
   std::vector<BuiltPackage> packages;  ///< in build order, only what was built
   Diagnostics warnings;                ///< packages and programs that were skipped
   LeftOutChains left_out;              ///< the same, for who needs them
+  std::vector<FailedPackage> failed;   ///< only when it keeps going
 };
 
 /// The first message of a failed build when the disk of `cache` has little room: the tools' own
@@ -52,11 +59,27 @@ struct WorkspaceBuild {
 /// has, when others are built (R2W0519, else what it lacks: R2W0513); nor are programs that include
 /// a header that nobody has (R2W0522), or ask for what no browser has (R2W0523). R2W0640 before the
 /// others when the disk is full. A package that fails does not stop those that do not need it: all
-/// mistakes come at once.
+/// mistakes come at once. When it keeps going, those that need a package that failed are skipped
+/// (R2W0514).
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
     const std::vector<LocalPackage>& packages, const BuildOrder& order,
     const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings,
     const Cancellation& cancellation, const ProgressSink& progress);
+
+/// A package as a build of the workspace would treat it.
+struct PlannedBuild {
+  std::string name;
+  std::string version;
+  std::string origin;      ///< address and commit; empty: a folder of the user's
+  bool is_cached = false;  ///< nothing is compiled
+  double seconds =
+      0;  ///< how long it takes, roughly: by earlier builds, else by the number of its sources
+};
+
+/// In build order; packages in `left_out` are absent. Nothing is built. R2W0210.
+[[nodiscard]] Outcome<std::vector<PlannedBuild>> plan_builds(
+    const std::vector<LocalPackage>& packages, const BuildOrder& order,
+    const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings);
 
 /// Which of them were built, and which the cache had, in one line.
 [[nodiscard]] std::string build_remark(const std::vector<BuiltPackage>& packages);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kPluginsOf = "--ros2wasm-plugins-of=";
 constexpr std::string_view kPluginLibrary = "libpluginlib.a";
-constexpr const char* kInstalled = "link_kits";  // in a prefix: a folder for each package
+constexpr const char* kInstalled = kLinkKitFolder;
 constexpr const char* kPrograms = "programs";
 constexpr const char* kPlugins = "plugins";
 constexpr const char* kArguments = "arguments";
@@ -120,9 +120,19 @@ bool have_same_bytes(const fs::path& one, const fs::path& other) {
   return first && second && *first == *second;
 }
 
+/// The place of a file below one of the prefixes; empty when it is in none of them.
+fs::path place_below(const fs::path& file, const std::vector<fs::path>& prefixes) {
+  for (const fs::path& prefix : prefixes) {
+    const fs::path below = file.lexically_relative(prefix);
+    if (!below.empty() && *below.begin() != "..") return below;
+  }
+  return {};
+}
+
 /// An argument of a kit as it stands in a package of a channel.
 Outcome<std::string> movable_argument(const std::string& argument, const fs::path& kit,
-                                      const fs::path& prefix, const fs::path& environment) {
+                                      const fs::path& prefix,
+                                      const std::vector<fs::path>& prefixes) {
   if (argument.starts_with(kOfKit)) {
     const fs::path copy = kit / argument.substr(kOfKit.size());
     const fs::path installed = fs::path("lib") / copy.filename();
@@ -131,8 +141,8 @@ Outcome<std::string> movable_argument(const std::string& argument, const fs::pat
     return argument;
   }
   if (!fs::path(argument).is_absolute()) return argument;
-  const fs::path below = fs::path(argument).lexically_relative(environment);
-  if (below.empty() || *below.begin() == "..")
+  const fs::path below = place_below(argument, prefixes);
+  if (below.empty())
     return Diagnostic{.code = "R2W0505",
                       .message = "the program `" + kit.filename().string() +
                                  "` cannot be linked elsewhere with more plugins",
@@ -146,7 +156,7 @@ Outcome<Done> install_movable_kit(const fs::path& from, const fs::path& to, cons
   if (!lines) return lines.errors();
   std::string text;
   for (const std::string& line : *lines) {
-    const auto argument = movable_argument(line, from, prefix, environment);
+    const auto argument = movable_argument(line, from, prefix, {environment});
     if (!argument) return argument.errors();
     text += *argument + "\n";
     if (!argument->starts_with(kOfKit)) continue;
@@ -154,6 +164,23 @@ Outcome<Done> install_movable_kit(const fs::path& from, const fs::path& to, cons
     if (auto done = copied(from / copy, to / copy); !done) return done;
   }
   return write_file(to / kArguments, text);
+}
+
+/// In place: copies that are installed too are removed.
+Outcome<Done> make_kit_movable(const fs::path& kit, const fs::path& prefix,
+                               const std::vector<fs::path>& prefixes) {
+  const auto lines = lines_of(kit / kArguments);
+  if (!lines) return lines.errors();
+  std::string text;
+  for (const std::string& line : *lines) {
+    const auto argument = movable_argument(line, kit, prefix, prefixes);
+    if (!argument) return argument.errors();
+    text += *argument + "\n";
+    if (!line.starts_with(kOfKit) || argument->starts_with(kOfKit)) continue;
+    const fs::path copy = kit / line.substr(kOfKit.size());
+    if (auto done = remove_tree(copy.parent_path()); !done) return done;
+  }
+  return write_file(kit / kArguments, text);
 }
 
 using InstallKit = std::function<Outcome<Done>(const fs::path& from, const fs::path& to)>;
@@ -245,6 +272,23 @@ Outcome<Done> install_movable_kits(const fs::path& kits, const fs::path& prefix,
   };
   if (auto done = install_program_kits(kits, prefix, package, install_program); !done) return done;
   return install_plugin_kits(kits, prefix, package, install);
+}
+
+Outcome<Done> make_kits_movable(const fs::path& prefix, const std::string& package,
+                                const std::vector<fs::path>& prefixes) {
+  const fs::path own = prefix / kInstalled / package;
+  for (const fs::path& kit : folders_in(own / kPrograms)) {
+    const auto arguments = lines_of(kit / kArguments);
+    if (!arguments) return arguments.errors();
+    auto done =
+        loads_plugins(*arguments) ? make_kit_movable(kit, prefix, prefixes) : remove_tree(kit);
+    if (!done) return done;
+  }
+  for (const fs::path& base : folders_in(own / kPlugins)) {
+    for (const fs::path& kit : folders_in(base))
+      if (auto done = make_kit_movable(kit, prefix, prefixes); !done) return done;
+  }
+  return Done{};
 }
 
 std::vector<std::string> packages_with_kits(const fs::path& prefix) {

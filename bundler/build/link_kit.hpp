@@ -41,6 +41,16 @@ inline constexpr const char* kLinkKitsVariable = "ROS2WASM_LINK_KITS";
                                                  const std::string& package,
                                                  const std::filesystem::path& environment);
 
+/// In a prefix: a folder for each package that has kits.
+inline constexpr const char* kLinkKitFolder = "link_kits/";
+
+/// The same for kits that install_link_kits() has put into a prefix of which `prefix` is a copy:
+/// `prefixes` are the packages that the package was built with, and its own place. R2W0210,
+/// R2W0211, R2W0505.
+[[nodiscard]] Outcome<Done> make_kits_movable(const std::filesystem::path& prefix,
+                                              const std::string& package,
+                                              const std::vector<std::filesystem::path>& prefixes);
+
 struct LinkKit {
   std::string name;                    ///< of the program, or of the library's kit
   std::string base;                    ///< the package of the base class, of plugins

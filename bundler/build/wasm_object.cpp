@@ -119,6 +119,14 @@ std::optional<std::vector<ObjectSymbol>> archive_definitions(std::string_view ar
   return result;
 }
 
+std::optional<std::vector<std::string_view>> archive_members(std::string_view archive) {
+  const auto members = members_of(archive);
+  if (!members) return std::nullopt;
+  std::vector<std::string_view> result;
+  for (const Member& member : *members) result.push_back(member.bytes);
+  return result;
+}
+
 void make_weak(std::string& bytes, const ObjectSymbol& symbol) {
   // The lowest bits of a LEB128 number stand in its first byte: its length stays.
   bytes.at(symbol.flags) =

@@ -26,6 +26,10 @@ struct ObjectSymbol {
 [[nodiscard]] std::optional<std::vector<ObjectSymbol>> archive_definitions(
     std::string_view archive);
 
+/// The members of an archive. Nothing when `archive` is not an archive, or a damaged one.
+[[nodiscard]] std::optional<std::vector<std::string_view>> archive_members(
+    std::string_view archive);
+
 /// `bytes` is an object or an archive, `symbol` one of its strong definitions.
 void make_weak(std::string& bytes, const ObjectSymbol& symbol);
 

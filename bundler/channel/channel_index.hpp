@@ -55,6 +55,9 @@ struct RepoIndex {
   std::vector<std::string> channels;   ///< in the order of priority
   std::vector<PackageRecord> records;  ///< in no order that matters
   std::vector<LeftOutRecord> left_out;
+  /// Packages that are there without any channel: those that the workspace builds. Without file
+  /// names.
+  std::vector<PackageRecord> built_here = {};
   /// The names of all packages of the channels, sorted; there may be fewer records. For explaining
   /// what is missing; may be empty.
   std::function<std::vector<std::string>()> names;

@@ -9,6 +9,7 @@
 
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/html_text.hpp"
+#include "workspace_schema/base/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -68,6 +69,18 @@ std::string placed_page(std::string page, const SitePlan& plan) {
   return result;
 }
 
+/// Whether hosts send a file of this name as a document, which runs scripts when somebody opens it.
+/// In the store it would be out of the reach of the site's service worker, which takes its origin
+/// away.
+bool is_document(const std::string& path) {
+  constexpr auto kEndings = std::to_array<std::string_view>(
+      {".atom", ".htm", ".html", ".mathml", ".mht", ".mhtml", ".rdf", ".rss", ".shtml", ".svg",
+       ".svgz", ".xht", ".xhtml", ".xml", ".xsl", ".xslt"});
+  const std::string name = ascii_lower(path);
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&name](std::string_view ending) { return name.ends_with(ending); });
+}
+
 }  // namespace
 
 void keep_in_store(SitePlan& plan) {
@@ -75,7 +88,7 @@ void keep_in_store(SitePlan& plan) {
   for (PlannedFile& file : plan.files) {
     const bool beside =
         std::find(kBesideFiles.begin(), kBesideFiles.end(), file.path) != kBesideFiles.end();
-    if (file.kept == Kept::kBeside && !beside) file.kept = Kept::kObject;
+    if (file.kept == Kept::kBeside && !beside && !is_document(file.path)) file.kept = Kept::kObject;
   }
 }
 

@@ -16,7 +16,9 @@ Diagnostic fault(std::string message, const std::optional<SourceSpan>& span = {}
 
 class Checker {
  public:
-  explicit Checker(const std::vector<PackageRecord>& packages) : virtual_(virtual_packages()) {
+  Checker(const std::vector<PackageRecord>& packages, const std::vector<PackageRecord>& built_here)
+      : virtual_(virtual_packages()) {
+    virtual_.insert(virtual_.end(), built_here.begin(), built_here.end());
     add(packages);
     add(virtual_);
   }
@@ -71,8 +73,9 @@ class Checker {
 }  // namespace
 
 Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
-                           const std::vector<PackageRecord>& packages) {
-  Checker checker(packages);
+                           const std::vector<PackageRecord>& packages,
+                           const std::vector<PackageRecord>& built_here) {
+  Checker checker(packages, built_here);
   for (const RequestedSpec& spec : specs) {
     checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text,
                     nullptr, spec.span);

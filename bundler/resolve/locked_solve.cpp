@@ -211,7 +211,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   }
   std::sort(locked.begin(), locked.end(), by_name);
   if (must_fit) {
-    const Diagnostics faults = check_solution(specs, locked);
+    const Diagnostics faults = check_solution(specs, locked, index.built_here);
     if (!faults.empty()) {
       std::vector<std::string> why;
       for (const Diagnostic& fault : faults) why.push_back(fault.message);

@@ -17,6 +17,8 @@ namespace ros2wasm {
 /// A package that says which Emscripten built the libraries of a channel; programs must come of the
 /// same one.
 inline constexpr std::string_view kCompilerPackage = "emscripten-abi";
+/// Its build stands for the headers of the client libraries that a package was compiled with.
+inline constexpr std::string_view kClientAbiPackage = "ros2wasm-abi";
 
 /// Something that must be in the solution.
 struct RequestedSpec {
@@ -46,8 +48,9 @@ struct Resolution {
                                         const SearchBudget& budget = {});
 
 /// Why `packages` is not a solution of `specs`: one diagnostic (R2W0311) per edge that does not
-/// hold; empty when it is one. Needs no index and no network.
+/// hold; empty when it is one. `built_here` as in RepoIndex. Needs no index and no network.
 [[nodiscard]] Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
-                                         const std::vector<PackageRecord>& packages);
+                                         const std::vector<PackageRecord>& packages,
+                                         const std::vector<PackageRecord>& built_here = {});
 
 }  // namespace ros2wasm

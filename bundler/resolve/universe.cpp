@@ -22,6 +22,8 @@ class Builder {
     for (const PackageRecord& record : index.records) records_[record.name].push_back(&record);
     for (const PackageRecord& locked : request.locked) locked_.emplace(locked.url, locked.sha256);
     universe_.virtual_records = virtual_packages();
+    universe_.virtual_records.insert(universe_.virtual_records.end(), index.built_here.begin(),
+                                     index.built_here.end());
     for (const PackageRecord& record : universe_.virtual_records) records_[record.name] = {&record};
   }
 

@@ -1,9 +1,16 @@
 // See request_rules.hpp.
 #include "bundler/serve/request_rules.hpp"
 
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cstring>
+#include <memory>
 
+#include "workspace_schema/base/text_pattern.hpp"
 #include "workspace_schema/base/trimmed_text.hpp"
 
 namespace ros2wasm {
@@ -79,6 +86,24 @@ bool is_local_host(std::string_view host_header) {
   if (host.starts_with('[')) return host.find(']') != std::string::npos;
   if (const std::size_t colon = host.find(':'); colon != std::string::npos) host.resize(colon);
   return host == "localhost" || host.ends_with(".localhost") || is_ipv4(host);
+}
+
+bool is_loopback(const std::string& host) {
+  if (ascii_lower(host) == "localhost") return true;
+  const addrinfo hints{.ai_flags = AI_NUMERICHOST, .ai_family = AF_UNSPEC};
+  addrinfo* found = nullptr;
+  if (getaddrinfo(host.c_str(), nullptr, &hints, &found) != 0) return false;
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+  if (found->ai_family == AF_INET) {
+    sockaddr_in address{};
+    std::memcpy(&address, found->ai_addr, sizeof address);
+    return (ntohl(address.sin_addr.s_addr) >> 24U) == IN_LOOPBACKNET;
+  }
+  sockaddr_in6 address{};
+  std::memcpy(&address, found->ai_addr, sizeof address);
+  return IN6_IS_ADDR_LOOPBACK(&address.sin6_addr) ||
+         (IN6_IS_ADDR_V4MAPPED(&address.sin6_addr) &&
+          address.sin6_addr.s6_addr[12] == IN_LOOPBACKNET);
 }
 
 bool matches_etag(std::string_view if_none_match, std::string_view etag) {

@@ -18,6 +18,10 @@ namespace ros2wasm {
 /// of another site that has its own name point here (DNS rebinding) does not pass.
 [[nodiscard]] bool is_local_host(std::string_view host_header);
 
+/// Whether a server that listens on `host` is reached from this machine alone: `localhost` in any
+/// case, or an address of the machine itself in any of its spellings.
+[[nodiscard]] bool is_loopback(const std::string& host);
+
 /// Whether `if_none_match` (a list of entity tags, or `*`) has this one.
 [[nodiscard]] bool matches_etag(std::string_view if_none_match, std::string_view etag);
 

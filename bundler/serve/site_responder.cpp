@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::string_view kReloadScriptPath = ".ros2wasm/reload.js";
 constexpr std::string_view kReloadEventsPath = ".ros2wasm/events";
+constexpr const char* kPolicyHeader = "Content-Security-Policy";
 
 struct OpenFile {
   std::shared_ptr<const int> descriptor;
@@ -37,15 +38,9 @@ HttpResponse text_response(int status, std::string text) {
                       .body = std::move(text)};
 }
 
-std::optional<OpenFile> open_file(const std::filesystem::path& path) {
-  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (fd < 0) return std::nullopt;
-  const std::shared_ptr<const int> descriptor(new int(fd), [](const int* held) {
-    close(*held);
-    delete held;
-  });
+OpenFile open_file(const Found& found) {
   struct stat status {};
-  if (fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  fstat(*found.file, &status);
   // The change time cannot be set back, so that packs with fixed modification times differ too.
   std::array<char, 96> etag{};
   std::snprintf(etag.data(), etag.size(), "\"%llx-%llx-%llx.%lx\"",
@@ -53,7 +48,7 @@ std::optional<OpenFile> open_file(const std::filesystem::path& path) {
                 static_cast<unsigned long long>(status.st_size),
                 static_cast<unsigned long long>(status.st_ctim.tv_sec),
                 static_cast<unsigned long>(status.st_ctim.tv_nsec));
-  return OpenFile{.descriptor = descriptor,
+  return OpenFile{.descriptor = found.file,
                   .size = static_cast<std::uint64_t>(status.st_size),
                   .etag = etag.data()};
 }
@@ -74,44 +69,58 @@ bool accepts(std::string_view list, std::string_view encoding) {
   return false;
 }
 
-/// The forms that lie beside the file, the best first.
-std::vector<const Compression*> forms_beside(const std::filesystem::path& path) {
-  std::vector<const Compression*> forms;
-  for (const Compression& form : kCompressions) {
-    std::error_code error;
-    const std::filesystem::path place = path.string() + std::string(form.ending);
-    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(place, error)))
-      forms.push_back(&form);
+/// A form of a file that lies beside it.
+struct Form {
+  const Compression* compression = nullptr;
+  Found file;
+};
+
+/// The best first.
+std::vector<Form> forms_of(const Found& found) {
+  std::vector<Form> forms;
+  for (const Compression& one : kCompressions) {
+    Found file = form_beside(found, one.ending);
+    if (file.kind == Lookup::kFile) forms.push_back({&one, std::move(file)});
   }
   return forms;
 }
 
 /// The best that is asked for. A part is one of the file itself.
-const Compression* form_for(const HttpRequest& request,
-                            const std::vector<const Compression*>& forms) {
+const Form* form_for(const HttpRequest& request, const std::vector<Form>& forms) {
   const auto accepted = request.header("Accept-Encoding");
   if (!accepted || request.header("Range")) return nullptr;
-  const auto form = std::find_if(forms.begin(), forms.end(), [&](const Compression* one) {
-    return accepts(*accepted, one->encoding);
+  const auto form = std::find_if(forms.begin(), forms.end(), [&](const Form& one) {
+    return accepts(*accepted, one.compression->encoding);
   });
-  return form == forms.end() ? nullptr : *form;
+  return form == forms.end() ? nullptr : &*form;
 }
 
-HttpResponse file_response(const HttpRequest& request, const std::filesystem::path& path) {
-  const std::vector<const Compression*> forms = forms_beside(path);
-  const Compression* form = form_for(request, forms);
-  const auto file = open_file(
-      form == nullptr ? path : std::filesystem::path(path.string() + std::string(form->ending)));
-  if (!file) return text_response(404, "This site has no such file.\n");
+/// A type of document that runs scripts when a browser opens it.
+bool is_document(std::string_view type) {
+  return type.starts_with("text/html") || type.find("xml") != std::string_view::npos;
+}
+
+/// The type is that of the name that was asked for, and the policy goes by the type: a link with
+/// another name changes neither.
+HttpResponse file_response(const HttpRequest& request, const Found& found) {
+  const std::vector<Form> forms = forms_of(found);
+  const Form* form = form_for(request, forms);
+  const OpenFile file = open_file(form == nullptr ? found : form->file);
+  const std::string type(
+      mime_type(std::string_view(found.below).substr(found.below.rfind('/') + 1)));
   HttpResponse response{.status = 200,
-                        .headers = {{"ETag", file->etag}, {"Accept-Ranges", "bytes"}},
-                        .content_type = std::string(mime_type(path.filename().native())),
-                        .body = FileSlice{file->descriptor, 0, file->size}};
+                        .headers = {{"ETag", file.etag}, {"Accept-Ranges", "bytes"}},
+                        .content_type = type,
+                        .body = FileSlice{file.descriptor, 0, file.size}};
+  // A document of a lab must not act as a page of the origin. The service worker does the same on
+  // hosts that send no headers, for visitors who have opened the site before.
+  if (is_document(type) && !found.is_page)
+    response.headers.emplace_back(kPolicyHeader, "sandbox; " + std::string(site_policy()));
   if (form != nullptr)
-    response.headers.emplace_back("Content-Encoding", std::string(form->encoding));
+    response.headers.emplace_back("Content-Encoding", std::string(form->compression->encoding));
   if (!forms.empty()) response.headers.emplace_back("Vary", "Accept-Encoding");
   const auto if_none_match = request.header("If-None-Match");
-  if (if_none_match && matches_etag(*if_none_match, file->etag)) {
+  if (if_none_match && matches_etag(*if_none_match, file.etag)) {
     response.status = 304;
     response.content_type.clear();
     response.body = std::string();
@@ -119,15 +128,15 @@ HttpResponse file_response(const HttpRequest& request, const std::filesystem::pa
   }
   const auto range_header = request.header("Range");
   const auto if_range = request.header("If-Range");
-  if (!range_header || (if_range && *if_range != file->etag)) return response;
-  const RangeResult asked = range_of(*range_header, file->size);
-  const std::string size = std::to_string(file->size);
+  if (!range_header || (if_range && *if_range != file.etag)) return response;
+  const RangeResult asked = range_of(*range_header, file.size);
+  const std::string size = std::to_string(file.size);
   switch (asked.answer) {
     case RangeAnswer::kWhole:
       break;
     case RangeAnswer::kPart:
       response.status = 206;
-      response.body = FileSlice{file->descriptor, asked.range.first, asked.range.length};
+      response.body = FileSlice{file.descriptor, asked.range.first, asked.range.length};
       response.headers.emplace_back(
           "Content-Range", "bytes " + std::to_string(asked.range.first) + "-" +
                                std::to_string(asked.range.first + asked.range.length - 1) + "/" +
@@ -141,17 +150,26 @@ HttpResponse file_response(const HttpRequest& request, const std::filesystem::pa
   return response;
 }
 
+std::optional<std::string> text_of(const ServedPlace& place, const std::string& path,
+                                   std::uint64_t at_most) {
+  const Found found = find_served(place, path);
+  if (found.kind != Lookup::kFile) return std::nullopt;
+  auto text = read_file("/proc/self/fd/" + std::to_string(*found.file), at_most);
+  if (!text) return std::nullopt;
+  return std::move(*text);
+}
+
 /// The responses that differ in watch mode: the start page has the reload script, and site.json its
 /// new hash.
 std::optional<HttpResponse> watched_response(const SiteServing& serving, const std::string& path) {
   if (!serving.place.address.empty()) return std::nullopt;
   const bool description = path == "site.json";
   if (!description && !path.empty() && path != "index.html") return std::nullopt;
-  const auto page = read_file(serving.place.folder / "index.html", kMostOfData);
+  const auto page = text_of(serving.place, "index.html", kMostOfData);
   if (!page) return std::nullopt;
   std::string text = with_reload_script(*page, serving.reload->state().version);
   if (description) {
-    const auto packed = read_file(serving.place.folder / "site.json", kMostOfSiteJson);
+    const auto packed = text_of(serving.place, "site.json", kMostOfSiteJson);
     if (!packed) return std::nullopt;
     text = with_page_hash(*packed, *page, text);
   }
@@ -189,7 +207,7 @@ HttpResponse path_response(const SiteServing& serving, const HttpRequest& reques
   }
   const bool wants_folder = path.empty() || path.ends_with('/');
   const Found found = find_served(serving.place, wants_folder ? path + "index.html" : path);
-  if (found.kind == Lookup::kFile) return file_response(request, found.path);
+  if (found.kind == Lookup::kFile) return file_response(request, found);
   // A folder's page has relative links, which need the slash.
   if (found.kind == Lookup::kFolder && !wants_folder &&
       find_served(serving.place, path + "/index.html").kind == Lookup::kFile) {
@@ -218,32 +236,6 @@ HttpResponse bare_response(const SiteServing& serving, const HttpRequest& reques
   const auto path = site_path_of(request.target);
   if (!path) return text_response(404, "This site has no such file.\n");
   return path_response(serving, request, *path);
-}
-
-/// A file that a browser would open as a document that runs scripts.
-bool is_document(const std::string& path) {
-  const std::string_view type = mime_type(path.substr(path.rfind('/') + 1));
-  return type.starts_with("text/html") || type.find("xml") != std::string_view::npos;
-}
-
-/// The page of a site, or of a course and its labs. Other documents were brought along by a lab.
-bool is_page(const ServedPlace& place, std::string_view path) {
-  if (!path.starts_with(place.address)) return false;
-  std::string_view below = path.substr(place.address.size());
-  if (below == "index.html") return true;
-  const std::size_t slash = below.find('/');
-  return slash != std::string_view::npos && below.substr(slash + 1) == "index.html" &&
-         place.address.empty() && is_course_of_ours(place.folder);
-}
-
-/// A document of a lab must not act as a page of the origin. The service worker does the same on
-/// hosts that send no headers, for visitors who have opened the site before.
-std::string policy_for(const SiteServing& serving, const HttpRequest& request) {
-  const std::string policy(site_policy());
-  std::string path = site_path_of(request.target).value_or("");
-  if (path.empty() || path.ends_with('/')) path += "index.html";
-  const bool of_lab = is_document(path) && !is_page(serving.place, path);
-  return of_lab ? "sandbox; " + policy : policy;
 }
 
 }  // namespace
@@ -287,7 +279,10 @@ HttpResponse site_response(const SiteServing& serving, const HttpRequest& reques
   const bool live = std::holds_alternative<TextStream>(response.body);
   response.headers.emplace_back("Cache-Control", live ? "no-store" : "no-cache");
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
-  response.headers.emplace_back("Content-Security-Policy", policy_for(serving, request));
+  const bool has_policy =
+      std::any_of(response.headers.begin(), response.headers.end(),
+                  [](const auto& header) { return header.first == kPolicyHeader; });
+  if (!has_policy) response.headers.emplace_back(kPolicyHeader, std::string(site_policy()));
   if (serving.isolation) {
     response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
     response.headers.emplace_back("Cross-Origin-Embedder-Policy", "require-corp");

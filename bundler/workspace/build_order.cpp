@@ -30,12 +30,7 @@ bool has_member(const std::vector<Spanned<std::string>>& groups,
 
 /// Adds the limits that are not there yet.
 void add_limits(const PackageDependency& dependency, std::vector<std::string>& limits) {
-  static const std::map<std::string, std::string> kOperators = {
-      {"lt", "<"}, {"lte", "<="}, {"eq", "=="}, {"gte", ">="}, {"gt", ">"}};
-  for (const auto& [key, version] : dependency.version_limits) {
-    const auto found = kOperators.find(key);
-    if (found == kOperators.end()) continue;
-    std::string limit = found->second + version;
+  for (std::string& limit : version_limits(dependency.version_limits)) {
     if (std::find(limits.begin(), limits.end(), limit) == limits.end())
       limits.push_back(std::move(limit));
   }
@@ -125,6 +120,17 @@ Indices closure(std::size_t index, const std::vector<Indices>& direct, const Ind
 }
 
 }  // namespace
+
+std::vector<std::string> version_limits(const std::map<std::string, std::string>& limits) {
+  static const std::map<std::string, std::string> kOperators = {
+      {"lt", "<"}, {"lte", "<="}, {"eq", "=="}, {"gte", ">="}, {"gt", ">"}};
+  std::vector<std::string> result;
+  for (const auto& [key, version] : limits) {
+    if (const auto found = kOperators.find(key); found != kOperators.end())
+      result.push_back(found->second + version);
+  }
+  return result;
+}
 
 Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
   std::map<std::string, const LocalPackage*> first;

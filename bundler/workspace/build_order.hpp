@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -43,6 +44,10 @@ struct BuildOrder {
 /// R2W0511 two packages of one name, R2W0512 packages that need each other. All at once.
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);
+
+/// The limits of a dependency as match specs have them: ">=1.2", "<2". In the order of their keys.
+[[nodiscard]] std::vector<std::string> version_limits(
+    const std::map<std::string, std::string>& limits);
 
 /// The dependencies of the packages that are not in the workspace, sorted by name. Dependencies of
 /// the packages in `left_out` do not count.

@@ -9,8 +9,11 @@
 #include "bundler/workspace/library_packages.hpp"
 #include "bundler/workspace/python_modules.hpp"
 #include "bundler/workspace/python_tree.hpp"
+#include "workspace_schema/base/diagnostic_list.hpp"
 #include "workspace_schema/base/names.hpp"
 #include "workspace_schema/base/text_pattern.hpp"
+#include "workspace_schema/conda/version.hpp"
+#include "workspace_schema/conda/version_spec.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -95,6 +98,40 @@ Diagnostic forgotten_warning(const LocalPackage& package,
                     .fix = {"add `" + lines + "` to package.xml"}};
 }
 
+/// R2W0535 for each limit of versions that a package of the workspace does not keep. colcon does
+/// not look at them.
+Diagnostics other_versions(const std::vector<LocalPackage>& packages,
+                           const std::set<std::size_t>& ignored) {
+  Diagnostics warnings;
+  std::set<std::string> said;
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    if (ignored.contains(i)) continue;
+    for (const PackageDependency& need : packages[i].xml.dependencies) {
+      std::string limits;
+      for (const std::string& one : version_limits(need.version_limits))
+        limits += (limits.empty() ? "" : ",") + one;
+      if (limits.empty()) continue;
+      const auto found = std::find_if(
+          packages.begin(), packages.end(),
+          [&need](const LocalPackage& one) { return one.xml.name.value == need.name.value; });
+      if (found == packages.end()) continue;
+      const std::string& there = found->xml.version.value;
+      const auto version = Version::parse(there);
+      const auto spec = VersionSpec::parse(limits);
+      if (!version || !spec || spec->matches(*version)) continue;
+      const std::string message = "package `" + packages[i].xml.name.value + "` asks for `" +
+                                  need.name.value + " " + limits + "`, and version " + there +
+                                  " is built";
+      if (!said.insert(message).second) continue;
+      warnings.push_back(Diagnostic{.code = "R2W0535",
+                                    .severity = Severity::kWarning,
+                                    .message = message,
+                                    .span = need.name.span});
+    }
+  }
+  return warnings;
+}
+
 /// Conda names that no channel has: those for which packages are skipped, and those that the other
 /// packages may lack.
 std::vector<std::string> absent_names(const std::vector<LocalPackage>& packages,
@@ -134,6 +171,14 @@ void append_notebook(const Manifest& manifest, const std::vector<Spanned<std::st
 
 }  // namespace
 
+std::vector<Spanned<std::string>> unnamed_needs(const LocalPackage& package,
+                                                const std::vector<LocalPackage>& packages,
+                                                const KnownNames& known, std::string_view distro) {
+  auto needs = forgotten(package, packages, known, distro);
+  for (auto& one : module_needs(package, known, distro)) needs.push_back(std::move(one));
+  return needs;
+}
+
 std::string dependency_spec(const std::string& text, std::string_view distro,
                             const std::vector<std::string>& channel_names) {
   const auto end = text.find_first_of(" <>=!~[");
@@ -163,6 +208,7 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     (one.severity == Severity::kError ? errors : request.warnings).push_back(std::move(one));
   }
   if (!errors.empty()) return errors;
+  append(request.warnings, other_versions(packages, ignored));
 
   request.absent = absent_names(packages, left_out, external, known, manifest.distro);
   for (const ExternalDependency& dependency : external) {

@@ -30,6 +30,12 @@ struct ChannelRequest {
     const LeftOutPackages& left_out, const KnownNames& known, const std::string& compiler_version,
     const std::vector<Spanned<std::string>>& notebook_modules = {});
 
+/// The packages that a package uses and its package.xml does not name, as far as a channel has it:
+/// what its CMakeLists.txt, Python imports and launch files ask for.
+[[nodiscard]] std::vector<Spanned<std::string>> unnamed_needs(
+    const LocalPackage& package, const std::vector<LocalPackage>& packages, const KnownNames& known,
+    std::string_view distro);
+
 /// A manifest's dependency as a match spec: conda names stay, ROS names get `ros-<distro>-`.
 [[nodiscard]] std::string dependency_spec(const std::string& text, std::string_view distro,
                                           const std::vector<std::string>& channel_names);

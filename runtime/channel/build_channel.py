@@ -24,7 +24,7 @@ from typing import Any
 sys.dont_write_bytecode = True
 
 from fingerprint import Compiler, find_compiler, linker_digest, package_keys, packer_digest, with_parts  # noqa: E402
-from metadata import ABI_PACKAGE, abi_record, record  # noqa: E402
+from metadata import ABI_PACKAGE, CLIENT_ABI_PACKAGE, abi_record, client_abi_record, record  # noqa: E402
 from package_source import PackageSource, find_packages, longest_first, needed_by  # noqa: E402
 from stage import BuildFailure, Workshop, build_package  # noqa: E402
 
@@ -138,12 +138,13 @@ def run(options: argparse.Namespace) -> int:
 
     changed = [name for name in longest_first(packages) if not is_built(name)]
     unpacked = [name for name in packages if name not in changed and not is_packed(name)]
-    gone = [name for name in state if name not in every and name != ABI_PACKAGE]
+    gone = [name for name in state if name not in every and name not in (ABI_PACKAGE, CLIENT_ABI_PACKAGE)]
     abi = abi_record(compiler)
     musl = compiler.cxx.resolve().parent / "system" / "lib" / "libc" / "musl" / "COPYRIGHT"
     abi["license_files"] = [str(musl)] if musl.exists() else []
+    markers = [abi, client_abi_record(every)]
     index_there = (options.out / "noarch" / "repodata.json").exists()
-    is_current = index_there and archive_of(options.out, abi).exists()
+    is_current = index_there and all(archive_of(options.out, marker).exists() for marker in markers)
     if is_current and not (changed or unpacked or gone or outdated):
         return 0
 
@@ -164,8 +165,10 @@ def run(options: argparse.Namespace) -> int:
         del state[name]
     empty = workshop.folder / "trees" / "empty"
     empty.mkdir(parents=True, exist_ok=True)
-    channel.add(abi, empty, workshop.folder / "meta" / f"{ABI_PACKAGE}.json")
-    state[ABI_PACKAGE] = {"key": compiler.version, "packer": packer, "linker": linker, "meta": abi}
+    for marker in markers:
+        name = str(marker["name"])
+        channel.add(marker, empty, workshop.folder / "meta" / f"{name}.json")
+        state[name] = {"key": compiler.version, "packer": packer, "linker": linker, "meta": marker}
     for name in unpacked:
         packed(name, workshop.tree(name))
     try:

@@ -1,6 +1,7 @@
 """What the channel says of a package: its conda record."""
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ from package_source import PackageSource
 
 DISTRO = "jazzy"
 ABI_PACKAGE = "emscripten-abi"
+CLIENT_ABI_PACKAGE = "ros2wasm-abi"
 COMPILED_SUFFIXES = (".a", ".wasm", ".o", ".so")
 
 
@@ -57,4 +59,26 @@ def abi_record(compiler: Compiler) -> dict[str, Any]:
         # The licenses of its system libraries, which compiled programs contain: musl, Emscripten's own, LLVM's.
         "license": "MIT AND (MIT OR NCSA) AND Apache-2.0 WITH LLVM-exception",
         "summary": "Marks packages that Emscripten of this version has compiled.",
+    }
+
+
+def client_abi_record(packages: dict[str, PackageSource]) -> dict[str, Any]:
+    """Returns the record of the empty package that stands for the headers of the client libraries.
+
+    What `ros2wasm channel build` compiles with these headers asks for exactly this build: with others, classes
+    may have another layout.
+    """
+    headers = hashlib.sha256()
+    for name, package in sorted(packages.items()):
+        if package.folder.parent.name == "client":
+            headers.update(f"{name}\0{tree_digest(package.folder / 'include')}\n".encode())
+    return {
+        "name": CLIENT_ABI_PACKAGE,
+        "version": "1",
+        "build": f"h{headers.hexdigest()[:12]}_0",
+        "build_number": 0,
+        "subdir": "noarch",
+        "depends": [],
+        "license": "Apache-2.0",
+        "summary": "Marks packages that were compiled with these headers of the client libraries.",
     }

@@ -5,6 +5,7 @@
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { benchBusy } from './busy.ts';
+import { benchChannelBuild } from './channel_build.ts';
 import { benchControl } from './control.ts';
 import { benchCrowd } from './crowd.ts';
 import { benchFetch } from './fetch.ts';
@@ -42,6 +43,7 @@ export interface BenchContext {
 const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> | void>> = {
   busy: benchBusy,
   bytes: benchBytes,
+  channel_build: benchChannelBuild,
   control: benchControl,
   crowd: benchCrowd,
   fetch: benchFetch,

@@ -76,6 +76,15 @@ async function succeeds(...words: readonly string[]): Promise<string> {
   return stdout + stderr;
 }
 
+test('search names the sources of a distribution, by ROS name or by conda name', watchdog, async () => {
+  ws.write('list.yaml', distribution('1.0.0-1'));
+  const said = await succeeds('search', 'ros-jazzy-word-*', '--distribution', 'list.yaml');
+  assert.equal(said.match(/^word_\d 1\.0\.0 source {2}http:/gm)?.length, COUNT);
+  assert.match(await succeeds('search', 'shapes >=1', '--distribution', 'list.yaml'), /^shapes 1\.0\.0 source {2}\S+\/shapes release\/jazzy\/shapes\/1\.0\.0-1$/m);
+  const none = await ws.run(['search', 'shapes >=2', '--distribution', 'list.yaml']);
+  assert.equal(none.code, 1);
+});
+
 const manifest = (sources: string, more = ''): string => `schema: 1
 name: lab
 packages: [src/*]

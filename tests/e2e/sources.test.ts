@@ -117,6 +117,16 @@ test('check reports that a source is not here, and fetches nothing', watchdog, a
   assert.equal(server.requests(), 0);
 });
 
+test('build --plan says what would be built, and from where, and builds nothing', watchdog, async () => {
+  const said = await succeeds('build', '--plan');
+  assert.match(said, new RegExp(`^arm_driver 0\\.3\\.0 {2}about \\d+ s {2}git\\+http://127\\.0\\.0\\.1:\\d+/arms@${first}$`, 'm'));
+  assert.match(said, /^lab 1\.2\.3 {2}about \d+ s$/m);
+  assert.match(said, /to build: 3 of 3 packages, about \d+ s one after the other/);
+  assert.equal(existsSync(join(ws.root, 'site')), false);
+  const json = JSON.parse((await ws.run(['--json', 'build', '--plan'])).stdout) as readonly { readonly package: string; readonly cached: boolean }[];
+  assert.deepEqual(json.map((one) => [one.package, one.cached]).sort(), [['arm_driver', false], ['arm_msgs', false], ['lab', false]]);
+});
+
 test('a package of a git repository is fetched with what it needs, locked by its commit, built and run', watchdog, async () => {
   const said = await succeeds('pack', '-o', 'site');
   assert.match(said, new RegExp(`from arms 1\\.0, commit ${first.slice(0, 10)}: arm_driver, arm_msgs`));
@@ -124,6 +134,10 @@ test('a package of a git repository is fetched with what it needs, locked by its
   const lock = ws.read('ros2wasm.lock').toString();
   assert.match(lock, new RegExp(`sources:\n  - git: .*/arms"?\n    revision: "1\\.0"\n    commit: "?${first}"?\n    tree: "?${git(upstream(), 'rev-parse', 'HEAD^{tree}')}"?\n`));
   assert.match(await heard(), /reach 0\.75 m/);
+  const place = `http://127\\.0\\.0\\.1:\\d+/arms 1\\.0, commit ${first.slice(0, 10)}`;
+  assert.match(await succeeds('tree'), new RegExp(`^built from ${place}\n\\|-- arm_driver 0\\.3\\.0\n\`-- arm_msgs 0\\.3\\.0$`, 'm'));
+  assert.match(await succeeds('why', 'arm_msgs'), new RegExp(`^arm_msgs is built from ${place}$`, 'm'));
+  assert.match(await succeeds('build', '--plan'), /nothing to build: 3 packages are cached/);
   const licenses = ws.read('site/sbom.spdx.json').toString();
   assert.match(licenses, new RegExp(`git\\+http://127\\.0\\.0\\.1:\\d+/arms@${first}`));
   assert.match(ws.read('site/LICENSES.txt').toString(), /Redistribution and use in source and binary forms are permitted/);

@@ -215,6 +215,26 @@ test('serve gives the store too', watchdog, async () => {
   }
 });
 
+test('serve lets an earlier pack run too', watchdog, async () => {
+  await using served = await ServedSite.start([join(ws.root, 'course/two'), '--port', '0']);
+  const page = await browser.newPage();
+  await page.goto(new URL(`../two@${(hashes.get('two') ?? '').slice(0, 16)}/`, served.url).href);
+  await runs(page);
+  await page.close();
+});
+
+// Guarantee, hostile input: documents of a lab in a store that sites share: each lies with its site, whose service worker opens it
+// without scripts
+test('documents that a lab brings along lie with its site, not in the store', watchdog, async () => {
+  ws.write('notes/picture.svg', '<svg xmlns="http://www.w3.org/2000/svg"><script>localStorage.setItem("owned", "1")</script></svg>\n');
+  ws.write('notes/lab.md', '# Lab\n\n![a picture](picture.svg)\n');
+  ws.write('three.yaml', `${manifest('three', 'The lab three')}ui:\n  text: notes/lab.md\n`);
+  await pack('three');
+  const files = [...ws.files('course').keys()];
+  assert.deepEqual(files.filter((path) => path.startsWith('objects/') && /\.(?:svg|html?|xml)$/.test(path)), []);
+  assert.equal(files.filter((path) => path.startsWith('three/') && path.endsWith('/picture.svg')).length, 1, files.join('\n'));
+});
+
 test('a store that cannot be shared is refused, and nothing is written', async () => {
   for (const [output, place] of [['lab', 'lab/objects'], ['course/objects/lab', 'course/objects'], ['lab.zip', 'objects'], ['lab', 'with space'], ['lab', 'one.yaml']] as const) {
     const packed = await ws.run(['pack', 'one.yaml', '-o', output, '--store', place]);

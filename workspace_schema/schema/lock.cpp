@@ -74,13 +74,15 @@ void put_source(std::string& out, const LockedSource& source) {
   const std::string indent = "    ";
   if (source.git.empty()) {
     out.append("  - archive: ").append(as_yaml_text(source.archive)).append("\n");
-    return put_text(out, indent, "sha256", source.sha256);
+    put_text(out, indent, "sha256", source.sha256);
+    return put_list(out, indent, "packages", source.packages);
   }
   out.append("  - git: ").append(as_yaml_text(source.git)).append("\n");
   if (!source.revision.empty()) put_text(out, indent, "revision", source.revision);
   put_text(out, indent, "commit", source.commit);
   put_text(out, indent, "tree", source.tree);
   if (!source.package.empty()) put_text(out, indent, "package", source.package);
+  put_list(out, indent, "packages", source.packages);
 }
 
 }  // namespace

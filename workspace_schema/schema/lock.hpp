@@ -43,6 +43,8 @@ struct LockedSource {
   std::string archive;   ///< its address, or a path relative to the manifest
   std::string sha256;
   std::string package;  ///< the one that a distribution file led to it for; else empty
+  std::vector<std::string>
+      packages;  ///< that are taken of it, "arm_driver 0.3.0", sorted; for people
 
   bool operator==(const LockedSource&) const = default;
 };

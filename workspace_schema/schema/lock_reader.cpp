@@ -162,6 +162,7 @@ class Reader {
                    {"commit", [&](const YamlNode& one) { hash(one, source.commit, 40); }},
                    {"tree", [&](const YamlNode& one) { hash(one, source.tree, 40); }},
                    {"package", [&](const YamlNode& one) { text(one, source.package); }},
+                   {"packages", [&](const YamlNode& one) { texts(one, source.packages); }},
                    {"archive", [&](const YamlNode& one) { text(one, source.archive); }},
                    {"sha256", [&](const YamlNode& one) { hash(one, source.sha256, 64); }}},
                   {});

@@ -112,8 +112,8 @@ bool check_schema(Binder& binder, const YamlNode& root) {
 
 class Reader {
  public:
-  Reader(Binder& binder, const YamlNode& root, const std::string& file)
-      : binder_(binder), root_(root) {
+  Reader(Binder& binder, const YamlNode& root, const std::string& file, ManifestUse use)
+      : binder_(binder), root_(root), use_(use) {
     manifest_.file = file;
   }
 
@@ -284,6 +284,7 @@ class Reader {
   void read_what_runs() {
     const YamlNode* node = given("launch");
     if (node == nullptr) {
+      if (use_ == ManifestUse::kPackages) return;
       if (value_of(root_, "nodes") != nullptr)
         return;  // an unknown key that meant this one was reported
       if (Diagnostic* missing = binder_.missing(root_, "the manifest", "launch")) {
@@ -322,12 +323,13 @@ class Reader {
 
   Binder& binder_;
   const YamlNode& root_;
+  ManifestUse use_;
   Manifest manifest_{};
 };
 
 }  // namespace
 
-Outcome<Manifest> read_manifest(std::string_view text, const std::string& file) {
+Outcome<Manifest> read_manifest(std::string_view text, const std::string& file, ManifestUse use) {
   const SourceText source(text, file);
   Outcome<YamlDocument> document = parse_yaml(source);
   if (!document) return document.errors();
@@ -349,7 +351,7 @@ Outcome<Manifest> read_manifest(std::string_view text, const std::string& file) 
     return binder.take_errors();
   }
   if (value_of(root, "schema") == nullptr) check_schema(binder, root);
-  Manifest manifest = Reader(binder, root, file).read();
+  Manifest manifest = Reader(binder, root, file, use).read();
   if (binder.failed()) {
     Diagnostics errors = binder.errors_in_order();
     for (Diagnostic& doubt : binder.take_warnings()) errors.push_back(std::move(doubt));

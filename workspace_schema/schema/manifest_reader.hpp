@@ -11,10 +11,14 @@
 
 namespace ros2wasm {
 
+/// A manifest of a site says what runs (`launch`); packages alone, for a channel, need none.
+enum class ManifestUse { kSite, kPackages };
+
 /// `file` is how the person named it; it appears in messages. Warnings are in `Manifest::warnings`.
 /// R2W0101 not YAML, R2W0102 unknown key, R2W0103 wrong type or value, R2W0104 bad name, R2W0105
 /// duplicate key, R2W0106 a required key is missing, R2W0107 schema, R2W0108 distro, R2W0109
 /// parameters.
-[[nodiscard]] Outcome<Manifest> read_manifest(std::string_view text, const std::string& file);
+[[nodiscard]] Outcome<Manifest> read_manifest(std::string_view text, const std::string& file,
+                                              ManifestUse use = ManifestUse::kSite);
 
 }  // namespace ros2wasm

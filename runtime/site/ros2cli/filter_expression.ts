@@ -225,7 +225,7 @@ class Parser {
     }
     if (kind === 'text') {
       this.at += 1;
-      const value = text.slice(1, -1).replace(/\\(.)/gs, (_, letter: string) => ({ n: '\n', t: '\t' })[letter] ?? letter);
+      const value = text.slice(1, -1).replace(kEscape, unescaped);
       return () => value;
     }
     if (this.take('(') !== undefined) {
@@ -267,8 +267,26 @@ function between(sign: string, left: Evaluation, right: Evaluation): Evaluation 
   return (m) => reckon(sign, left(m), right(m));
 }
 
+const kEscape = /\\(\r?\n|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[0-7]{1,3}|[^])/g;
+const kLetters: Readonly<Record<string, string>> = {
+  a: '\x07', b: '\b', f: '\f', n: '\n', r: '\r', t: '\t', v: '\v', '\\': '\\', "'": "'", '"': '"', '\n': '', '\r\n': '',
+};
+
+/** As Python reads them: an unknown one keeps its backslash. */
+function unescaped(whole: string, escape: string): string {
+  const kind = escape.charAt(0);
+  const isNumber = 'xuU'.includes(kind) && escape.length > 1;
+  if (!isNumber && 'xuU'.includes(kind)) throw new CommandError(`SyntaxError: truncated \\${kind} escape`);
+  if (kind === 'N') throw new CommandError('SyntaxError: names of characters (\\N) are not known here');
+  const code = isNumber ? Number.parseInt(escape.slice(1), 16) : /^[0-7]/.test(escape) ? Number.parseInt(escape, 8) : undefined;
+  if (code === undefined) return kLetters[escape] ?? whole;
+  if (code > 0x10ffff) throw new CommandError('SyntaxError: illegal Unicode character');
+  return String.fromCodePoint(code);
+}
+
 /** Whole numbers beyond 2^53 are exact, as those of messages are. */
 function literal(text: string): number | bigint {
+  if (/^0+[1-9]\d*$/.test(text)) throw new CommandError('SyntaxError: leading zeros in decimal integer literals are not permitted');
   const value = Number(text);
   return /^\d+$/.test(text) && !Number.isSafeInteger(value) ? BigInt(text) : value;
 }

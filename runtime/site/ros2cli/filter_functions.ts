@@ -153,7 +153,18 @@ function toText([value = '']: readonly unknown[]): string {
   if (isMessage(value)) throw new CommandError('TypeError: a message is not text here');
   if (isList(value)) return `[${Array.from(value, (one) => (typeof one === 'string' ? quoted(one) : toText([one]))).join(', ')}]`;
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
-  return String(value);
+  return typeof value === 'number' ? numberText(value) : String(value);
+}
+
+/** As Python's repr(), but a double that is whole may be an int of the message: it has no `.0` unless it is beyond what an int of it
+ * could be. */
+function numberText(value: number): string {
+  const size = Math.abs(value);
+  if (Object.is(value, -0)) return '-0.0';
+  if (size === 0 || (size >= 1e-4 && size < 1e16)) return String(value);
+  const [digits = '', exponent = '0'] = value.toExponential().split('e');
+  const power = Number(exponent);
+  return `${digits}e${power < 0 ? '-' : '+'}${String(Math.abs(power)).padStart(2, '0')}`;
 }
 
 export const filterFunctions: ReadonlyMap<string, Call> = new Map([

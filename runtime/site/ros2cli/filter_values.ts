@@ -63,6 +63,16 @@ export function same(left: unknown, right: unknown): boolean {
   return numeric(left) == numeric(right);
 }
 
+/** Negative, 0 or positive. JavaScript's own order is that of UTF-16 units, which puts pairs of them before U+E000. */
+function codePointOrder(left: string, right: string): number {
+  const [a, b] = [[...left], [...right]];
+  for (let i = 0; i < a.length && i < b.length; i += 1) {
+    const difference = a[i]!.codePointAt(0)! - b[i]!.codePointAt(0)!;
+    if (difference !== 0) return difference;
+  }
+  return a.length - b.length;
+}
+
 /** The result of a comparison, of `in` and `not in`, or of `is` and `is not`. */
 export function compared(sign: string, left: unknown, right: unknown): boolean {
   switch (sign) {
@@ -77,7 +87,7 @@ export function compared(sign: string, left: unknown, right: unknown): boolean {
       return within(left, right) === (sign === 'in');
     default: {
       const texts = typeof left === 'string' && typeof right === 'string';
-      const [a, b] = texts ? [left, right] : [numeric(left), numeric(right)];
+      const [a, b] = texts ? [codePointOrder(left, right), 0] : [numeric(left), numeric(right)];
       return sign === '<' ? a < b : sign === '>' ? a > b : sign === '<=' ? a <= b : a >= b;
     }
   }

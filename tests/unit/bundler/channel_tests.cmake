@@ -28,5 +28,6 @@ add_executable(bundler_channel_test
 compile_in_groups(bundler_channel_test 5)
 target_include_directories(bundler_channel_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_compile_definitions(bundler_channel_test PRIVATE ROS2WASM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+compile_as_test(bundler_channel_test bundler_test_headers)
 target_link_libraries(bundler_channel_test PRIVATE bundler GTest::gtest_main)
 gtest_discover_tests(bundler_channel_test TEST_PREFIX bundler. DISCOVERY_TIMEOUT 60)

@@ -12,5 +12,6 @@ add_executable(bundler_serve_test
 )
 compile_in_groups(bundler_serve_test 2)
 target_compile_definitions(bundler_serve_test PRIVATE ROS2WASM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+compile_as_test(bundler_serve_test bundler_test_headers)
 target_link_libraries(bundler_serve_test PRIVATE bundler GTest::gtest_main)
 gtest_discover_tests(bundler_serve_test TEST_PREFIX bundler. DISCOVERY_TIMEOUT 60)

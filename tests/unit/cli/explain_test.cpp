@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -23,21 +22,35 @@ std::string read(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// Calls `use` with the place and the text of each code.
+template <typename Use>
+void for_each_code(const std::string& text, const Use& use) {
+  constexpr std::string_view kBegin = "R2W";
+  constexpr std::size_t kDigits = 4;
+  for (std::size_t at = text.find(kBegin); at != std::string::npos;
+       at = text.find(kBegin, at + 1)) {
+    const std::string digits = text.substr(at + kBegin.size(), kDigits);
+    if (digits.size() == kDigits && digits.find_first_not_of("0123456789") == std::string::npos)
+      use(at, std::string(kBegin) + digits);
+  }
+}
+
 /// Codes in string literals and JSON of the program and of the site, each with one file that has
 /// it.
 std::map<std::string, std::string> codes_in_sources() {
   static const std::set<std::string> kExtensions{".cpp", ".hpp", ".ts",   ".tsx",
                                                  ".mjs", ".h",   ".html", ".py"};
-  static const std::regex kLiteral("[\"'`>[](R2W[0-9]{4})");
   std::map<std::string, std::string> codes;
   for (const char* folder : {"cli", "bundler", "workspace_schema", "runtime"}) {
     if (!std::filesystem::exists(kRoot / folder)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       if (!kExtensions.contains(entry.path().extension().string())) continue;
       const std::string text = read(entry.path());
-      for (std::sregex_iterator at(text.begin(), text.end(), kLiteral), end; at != end; ++at) {
-        codes.emplace((*at)[1].str(), entry.path().lexically_relative(kRoot).string());
-      }
+      for_each_code(text, [&](std::size_t at, const std::string& code) {
+        constexpr std::string_view kBefore = "\"'`>[";
+        if (at > 0 && kBefore.find(text[at - 1]) != std::string_view::npos)
+          codes.emplace(code, entry.path().lexically_relative(kRoot).string());
+      });
     }
   }
   return codes;
@@ -56,14 +69,11 @@ TEST(Explain, EveryCodeHasAPage) {
 
 /// Codes that any test but this one names.
 std::set<std::string> codes_in_tests() {
-  static const std::regex kCode("R2W[0-9]{4}");
   std::set<std::string> codes;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "tests")) {
     if (!entry.is_regular_file() || entry.path().filename() == "explain_test.cpp") continue;
     const std::string text = read(entry.path());
-    for (std::sregex_iterator at(text.begin(), text.end(), kCode), end; at != end; ++at) {
-      codes.insert(at->str());
-    }
+    for_each_code(text, [&](std::size_t, const std::string& code) { codes.insert(code); });
   }
   return codes;
 }

@@ -166,8 +166,22 @@ test('errors are those of CPython, by their names', () => {
     ['[1][1.5]', 'TypeError'],
     ['all(3)', 'TypeError'],
     ['float([1])', 'TypeError'],
+    ['05 == 5', 'SyntaxError'],
+    [String.raw`'\x4' == 'A'`, 'SyntaxError'],
+    [String.raw`'\U00110000' == 'A'`, 'SyntaxError'],
   ] as const)
     assert.throws(() => filterOf(text)(kMessage), (error) => error instanceof CommandError && error.message.startsWith(`${name}: `), text);
+});
+
+// The right sides are what CPython 3.12 makes of the left ones.
+test('escapes, the order of texts and the texts of numbers are those of Python', () => {
+  for (const text of [
+    String.raw`'\x41' == 'A'`, String.raw`'\101' == 'A'`, String.raw`'\u00e9' == 'é'`, String.raw`len('\U0001F600') == 1`, String.raw`'\d' == '\\d'`,
+    String.raw`'\r\a' == '\x0d\x07'`, String.raw`'it\'s' == "it's"`, String.raw`'😀' > '\uffff'`, "'a' < 'ab'", "not 'b' < 'ab'", "'ab' <= 'ab'",
+    "str(1e16) == '1e+16'", "str(1e-5) == '1e-05'", "str(1.5e-7) == '1.5e-07'", "str(0.0001) == '0.0001'", "str(1e100) == '1e+100'", "str(-2.5) == '-2.5'",
+    "str(123456789012345680.0) == '1.2345678901234568e+17'", "str(-0.0) == '-0.0'", '00 == 0',
+  ])
+    assert.equal(filterOf(text)(kMessage), true, text);
 });
 
 test('lists of a million are reckoned with, and nothing but a CommandError comes out', () => {

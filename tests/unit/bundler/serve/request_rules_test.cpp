@@ -6,6 +6,15 @@
 namespace ros2wasm {
 namespace {
 
+TEST(Loopback, InAnySpelling) {
+  for (const char* host : {"localhost", "LOCALHOST", "127.0.0.1", "127.3.2.1", "127.1",
+                           "2130706433", "0x7f.1", "::1", "0:0:0:0:0:0:0:1", "::ffff:127.0.0.1"})
+    EXPECT_TRUE(is_loopback(host)) << host;
+  for (const char* host : {"0.0.0.0", "::", "", "192.168.0.1", "127.0.0.1.example.org",
+                           "example.org", "::ffff:192.168.0.1", "2130706434567"})
+    EXPECT_FALSE(is_loopback(host)) << host;
+}
+
 TEST(SitePathOf, DecodesAndDropsTheQuery) {
   EXPECT_EQ(site_path_of("/"), "");
   EXPECT_EQ(site_path_of("/index.html"), "index.html");

@@ -3,9 +3,14 @@
 #include "bundler/serve/served_place.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
 
 #include "bundler/io/sha256.hpp"
 #include "bundler/serve/site_policy.hpp"
+#include "bundler/serve/site_responder.hpp"
 #include "bundler/site/site_place.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
@@ -119,6 +124,99 @@ TEST_F(ServedStore, AnEarlierPackIsFoundByTheHashOfItsBytes) {
   fs::rename(tree_ / ("lab/" + name), tree_ / "lab/real");
   fs::create_directory_symlink("real", tree_ / ("lab/" + name));
   EXPECT_EQ(found(name + "/index.html"), "nothing") << "a link is not a pack";
+}
+
+/// The bytes that are read through the descriptor that a lookup has opened.
+std::string bytes_of(const Found& found) {
+  if (found.kind != Lookup::kFile) return "nothing";
+  std::string text(64, '\0');
+  const ssize_t got = pread(*found.file, text.data(), text.size(), 0);
+  return text.substr(0, static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+}
+
+// Guarantee, hostile input: a site's folder, or its store, that becomes a link or another folder
+// while it is served gives nothing else of the disk
+TEST_F(ServedStore, WhatTakesThePlaceOfAFolderIsNotServed) {
+  prove_store();
+  const ServedPlace place = served_place(tree_ / "lab/one");
+  tree_.write("swapped/" + kObject + ".wasm", "secret");
+  fs::rename(tree_ / "lab/objects", tree_ / "lab/old");
+  fs::create_directory_symlink("../swapped", tree_ / "lab/objects");
+  EXPECT_EQ(bytes_of(find_served(place, "objects/" + kObject + ".wasm")), "object");
+  fs::rename(tree_ / "lab/one", tree_ / "lab/moved");
+  fs::create_directory_symlink("..", tree_ / "lab/one");
+  EXPECT_EQ(bytes_of(find_served(place, "one/secret.txt")), "nothing");
+  fs::remove(tree_ / "lab/one");
+  fs::rename(tree_ / "lab", tree_ / "away");
+  fs::create_directory_symlink("swapped", tree_ / "lab");
+  tree_.write("swapped/one/index.html", "secret");
+  EXPECT_EQ(bytes_of(find_served(place, "one/index.html")), "nothing");
+  // A new pack is a folder.
+  tree_.write("away/one/index.html", "newer");
+  EXPECT_EQ(bytes_of(find_served(place, "one/index.html")), "newer");
+}
+
+// Guarantee, hostile input: a file that is replaced by a link out of the site between the check and
+// the opening is not served
+TEST(ServedPlace, AFileThatBecomesALinkMeanwhileIsNeverRead) {
+  const testing::TemporaryTree tree;
+  tree.write("site/site.json", R"({"files":[]})");
+  tree.write("secret.txt", "secret");
+  tree.write("plain.txt", "plain");
+  const ServedPlace place = served_place(tree / "site");
+  std::atomic<bool> stop = false;
+  std::thread swapper([&] {
+    std::error_code error;
+    while (!stop) {
+      fs::create_symlink("../secret.txt", tree / "site/next", error);
+      fs::rename(tree / "site/next", tree / "site/r.txt", error);
+      fs::copy_file(tree / "plain.txt", tree / "site/next", error);
+      fs::rename(tree / "site/next", tree / "site/r.txt", error);
+    }
+  });
+  int plain = 0;
+  for (int i = 0; i < 20'000 && plain < 2'000; ++i) {
+    const std::string text = bytes_of(find_served(place, "r.txt"));
+    ASSERT_NE(text, "secret");
+    if (text == "plain") ++plain;
+  }
+  stop = true;
+  swapper.join();
+  EXPECT_GT(plain, 0);
+}
+
+/// The type and the policy with which a file is sent.
+std::string sent(const ServedPlace& place, const std::string& target) {
+  const SiteServing serving{.place = place, .reload = std::nullopt};
+  const HttpRequest request{.method = "GET", .target = target, .header = [](const std::string&) {
+                              return std::optional<std::string>();
+                            }};
+  const HttpResponse response = site_response(serving, request);
+  std::string text = std::to_string(response.status) + " " + response.content_type;
+  for (const auto& [name, value] : response.headers)
+    if (name == "Content-Security-Policy" && value.starts_with("sandbox; ")) text += " sandbox";
+  return text;
+}
+
+TEST_F(ServedStore, OnlyPagesOfSitesActForTheOrigin) {
+  prove_store();
+  tree_.write("lab/one/text/lab.html", "of the lab");
+  fs::create_symlink("text/lab.html", tree_ / "lab/one/x.bin");
+  fs::create_symlink("index.html", tree_ / "lab/one/page.html");
+  const std::string text = site_with("../objects/") + " ";
+  const std::string earlier = "one@" + sha256_hex(text).substr(0, 16);
+  tree_.write("lab/" + earlier + "/site.json", text);
+  tree_.write("lab/" + earlier + "/index.html", "earlier");
+  tree_.write("lab/" + earlier + "/text/lab.html", "of the lab");
+  tree_.write("lab/objects/" + kObject + ".svg", "<svg/>");
+  const ServedPlace place = served_place(tree_ / "lab/one");
+  EXPECT_EQ(sent(place, "/one/"), "200 text/html; charset=utf-8");
+  EXPECT_EQ(sent(place, "/" + earlier + "/"), "200 text/html; charset=utf-8");
+  EXPECT_EQ(sent(place, "/" + earlier + "/text/lab.html"), "200 text/html; charset=utf-8 sandbox");
+  EXPECT_EQ(sent(place, "/one/text/lab.html"), "200 text/html; charset=utf-8 sandbox");
+  EXPECT_EQ(sent(place, "/one/page.html"), "200 text/html; charset=utf-8 sandbox");
+  EXPECT_EQ(sent(place, "/one/x.bin"), "200 application/octet-stream");
+  EXPECT_EQ(sent(place, "/objects/" + kObject + ".svg"), "200 image/svg+xml sandbox");
 }
 
 TEST(StoreNames, AreThoseThatPackGives) {

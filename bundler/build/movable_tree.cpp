@@ -1,0 +1,110 @@
+// See movable_tree.hpp.
+#include "bundler/build/movable_tree.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "bundler/build/link_kit.hpp"
+#include "bundler/build/source_hash.hpp"
+#include "bundler/io/files.hpp"
+#include "workspace_schema/base/replaced_text.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr auto kCompiled = std::to_array<std::string_view>({".a", ".o", ".so", ".wasm"});
+/// In share/<package>: scripts for shells, which a site has no use for.
+constexpr auto kShellScripts = std::to_array<std::string_view>(
+    {"package.bash", "package.dsv", "package.ps1", "package.sh", "package.zsh"});
+
+std::vector<std::string> parts_of(const std::string& path) {
+  std::vector<std::string> parts;
+  for (const fs::path& part : fs::path(path)) parts.push_back(part.string());
+  return parts;
+}
+
+/// Notes that the build leaves in a prefix, and what only shells read.
+bool is_skipped(const std::string& path) {
+  if (path.starts_with('.') || path.ends_with(".left_out")) return true;
+  if (path.starts_with("share/ament_index/resource_index/parent_prefix_path/")) return true;
+  const std::vector<std::string> parts = parts_of(path);
+  if (parts.size() < 3 || parts[0] != "share") return false;
+  if (parts[2] == "environment") return true;
+  return parts.size() == 3 &&
+         (parts[2].starts_with("local_setup.") ||
+          std::find(kShellScripts.begin(), kShellScripts.end(), parts[2]) != kShellScripts.end());
+}
+
+bool is_code(const std::string& path) {
+  return std::any_of(kCompiled.begin(), kCompiled.end(),
+                     [&path](std::string_view suffix) { return path.ends_with(suffix); });
+}
+
+bool names_one(std::string_view bytes, const std::vector<fs::path>& prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(), [bytes](const fs::path& one) {
+    return bytes.find(one.native()) != std::string_view::npos;
+  });
+}
+
+/// Copies one file; false when it names this machine and cannot be changed.
+Outcome<bool> copy_movable(const fs::path& from, const TreeEntry& entry,
+                           const std::vector<fs::path>& prefixes, const fs::path& to) {
+  auto bytes = read_file(from / entry.path, kMostOfData);
+  if (!bytes) return std::move(bytes).errors();
+  bool moves = !names_one(*bytes, prefixes);
+  if (!moves && bytes->find('\0') == std::string::npos) {
+    for (const fs::path& one : prefixes)
+      *bytes = with_replaced(*bytes, one.string(), kMovablePrefix);
+    moves = true;
+  }
+  if (auto done = write_file(to / entry.path, *bytes); !done) return std::move(done).errors();
+  if (!entry.executable) return moves;
+  std::error_code error;
+  fs::permissions(to / entry.path,
+                  fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                  fs::perm_options::add, error);
+  if (error) return cannot_write(to / entry.path, error.value());
+  return moves;
+}
+
+Outcome<Done> copy_link(const TreeEntry& entry, const fs::path& to) {
+  if (auto made = make_directories((to / entry.path).parent_path()); !made) return made;
+  std::error_code error;
+  fs::create_symlink(entry.link_target, to / entry.path, error);
+  if (error) return cannot_write(to / entry.path, error.value());
+  return Done{};
+}
+
+}  // namespace
+
+Outcome<MovableTree> make_movable(const fs::path& prefix, const std::string& package,
+                                  const std::vector<fs::path>& prefixes, const fs::path& to) {
+  const auto entries = list_tree(prefix);
+  if (!entries) return entries.errors();
+  std::vector<fs::path> known;
+  for (const fs::path& one : prefixes)
+    if (!one.empty()) known.push_back(one);
+  MovableTree tree;
+  for (const TreeEntry& entry : *entries) {
+    if (is_skipped(entry.path)) continue;
+    if (entry.kind == FileKind::kLink) {
+      if (auto done = copy_link(entry, to); !done) return std::move(done).errors();
+      continue;
+    }
+    if (entry.kind != FileKind::kFile) continue;
+    // Kits are rewritten below, from what they say here.
+    const bool is_kit = entry.path.starts_with(kLinkKitFolder);
+    const auto moves = copy_movable(prefix, entry, is_kit ? std::vector<fs::path>() : known, to);
+    if (!moves) return moves.errors();
+    if (!*moves) tree.fixed.push_back(entry.path);
+    tree.is_compiled = tree.is_compiled || is_code(entry.path);
+  }
+  if (auto done = make_kits_movable(to, package, known); !done) return std::move(done).errors();
+  auto hash = hash_of_tree(to);
+  if (!hash) return std::move(hash).errors();
+  tree.hash = *std::move(hash);
+  return tree;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,32 @@
+// An installed package of a workspace as a package of a channel: a copy that names no folder of
+// this machine. An edge to the disk.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workspace_schema/base/outcome.hpp"
+
+namespace ros2wasm {
+
+/// The text that stands for the folder in which a package of a channel is unpacked.
+inline constexpr const char* kMovablePrefix = "/opt/ros2wasm/installed-prefix";
+
+struct MovableTree {
+  std::string hash;          ///< of names and bytes
+  bool is_compiled = false;  ///< it has code for the site's processor
+  std::vector<std::string>
+      fixed;  ///< files that name this machine all the same: binary ones, sorted
+};
+
+/// Copies `prefix`, where `package` is installed, to the empty folder `to`. In texts each of
+/// `prefixes` (it, what it was built with, the environment) becomes kMovablePrefix; set-up scripts
+/// of shells and notes of the build are skipped; link kits name files of other packages by their
+/// place (R2W0505 when a file is in no package).
+[[nodiscard]] Outcome<MovableTree> make_movable(const std::filesystem::path& prefix,
+                                                const std::string& package,
+                                                const std::vector<std::filesystem::path>& prefixes,
+                                                const std::filesystem::path& to);
+
+}  // namespace ros2wasm

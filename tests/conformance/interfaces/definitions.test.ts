@@ -1,6 +1,6 @@
 // The interface definitions say what ROS 2 Jazzy's say: same constants, fields, defaults and order.
 
-// Compatibility, works: all 676 interface definitions, CDR as on the wire of ROS 2, type hashes
+// Compatibility, works: all 678 interface definitions, CDR as on the wire of ROS 2, type hashes
 // (RIHS01)
 
 import assert from 'node:assert/strict';
@@ -18,10 +18,10 @@ import { REPOSITORY, interfaceFiles } from './interface_files.ts';
 // Digests of definitions in normal form, taken once from facts about upstream's packages.
 const DIGESTS = {
   'ROS 2': { count: 232, digest: 'ae2a3406ffbcb41bb421b65b0342f7845a2cb7ce64191ed32d63ee7bcac64a20' },
-  'packages that many use with it': { count: 444, digest: 'b6b56023a3341a2e3df499e9d559b6a1ab9355b9c9a96a5d2e03d9709468340e' },
+  'packages that many use with it': { count: 446, digest: '733b725a828285e3ac60d726a06d8ee6edb2e634a2ccca06d939ef63b096d25d' },
 } as const;
 const USED_WITH_IT = new Set([
-  'ackermann_msgs', 'action_tutorials_interfaces', 'apriltag_msgs', 'can_msgs', 'control_msgs', 'controller_manager_msgs',
+  'ackermann_msgs', 'action_tutorials_interfaces', 'apriltag_msgs', 'bond', 'can_msgs', 'control_msgs', 'controller_manager_msgs',
   'gazebo_msgs', 'geographic_msgs', 'gps_msgs', 'irobot_create_msgs', 'map_msgs', 'moveit_msgs', 'nav2_msgs', 'nav_2d_msgs',
   'object_recognition_msgs', 'octomap_msgs', 'pcl_msgs', 'ros_gz_interfaces', 'rosbag2_interfaces', 'simulation_interfaces', 'test_msgs',
   'topic_tools_interfaces', 'turtlebot3_msgs', 'vision_msgs',

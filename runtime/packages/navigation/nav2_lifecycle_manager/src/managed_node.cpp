@@ -37,7 +37,8 @@ ManagedNode::ManagedNode(std::string name, std::shared_ptr<NodeLink> link)
       get_state_(make_client<GetState>(*link_, name_ + "/get_state")) {}
 
 void ManagedNode::wait_for_services() const {
-  while (rclcpp::ok() && !get_state_->wait_for_service(2s)) {
+  while (!get_state_->wait_for_service(2s)) {
+    if (!rclcpp::ok()) return;
     RCLCPP_INFO(link_->node->get_logger(), "Waiting for service %s...",
                 (name_ + "/get_state").c_str());
   }

@@ -11,7 +11,8 @@ using namespace std::chrono_literals;
 
 template <typename ServiceT>
 void wait_for(const rclcpp::Node::SharedPtr& node, ServiceClient<ServiceT>& client) {
-  while (rclcpp::ok() && !client.wait_for_service(2s)) {
+  while (!client.wait_for_service(2s)) {
+    if (!rclcpp::ok()) return;
     RCLCPP_INFO(node->get_logger(), "Waiting for service %s...", client.getServiceName().c_str());
   }
 }

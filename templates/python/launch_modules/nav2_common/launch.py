@@ -8,6 +8,7 @@ from typing import Any
 import yaml
 from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+from ros2wasm_launch import host
 
 _PARAMETERS = 'ros__parameters'
 
@@ -150,3 +151,20 @@ class HasNodeParams(_OfFile):
 
     def perform(self, context: Any) -> str:
         return str(self._node in self._yaml(context))
+
+
+class ParseMultiRobotPose:
+    """Robots and where they are, in an argument of the launch: `one={x: 1.0, y: 1.0, yaw: 0.0}; two={x: 2.0}`."""
+
+    def __init__(self, target_argument: str) -> None:
+        self._text = host.GIVEN.get(target_argument, '')
+
+    def value(self) -> dict[str, dict[str, Any]]:
+        """Name -> x, y, z, roll, pitch and yaw; 0 for what is not there. Parts without one `=` are passed over."""
+        robots = {}
+        for part in self._text.split(';'):
+            name, *texts = part.strip().split('=')
+            if len(texts) == 1:
+                pose = yaml.safe_load(texts[0].strip())
+                robots[name.strip()] = {key: 0.0 for key in ('x', 'y', 'z', 'roll', 'pitch', 'yaw')} | pose
+        return robots

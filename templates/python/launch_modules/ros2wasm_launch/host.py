@@ -32,6 +32,10 @@ def evaluate(text: str, configurations: dict[str, str]) -> str:
     return str(ask('evaluate', text=text, configurations=configurations)['text'])
 
 
+#: The arguments of the launch, for what upstream reads from the command line.
+GIVEN: dict[str, str] = {}
+
+
 class Objects:
     """Things of Python that the evaluator holds by a number."""
 

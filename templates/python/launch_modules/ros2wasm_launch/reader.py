@@ -40,6 +40,7 @@ _ELSEWHERE = {
     'launch_ros.events.lifecycle.lifecycle_node_matchers': 'launch_ros.events.lifecycle',
     'launch_ros.events.matchers': 'launch_ros.events',
     'nav2_common.launch.has_node_params': 'nav2_common.launch',
+    'nav2_common.launch.parse_multirobot_pose': 'nav2_common.launch',
     'nav2_common.launch.replace_string': 'nav2_common.launch',
     'nav2_common.launch.rewritten_yaml': 'nav2_common.launch',
 }
@@ -175,6 +176,7 @@ def answer(text: str) -> str:
     try:
         kind = request['do']
         if kind == 'load':
+            host.GIVEN = context.launch_configurations
             result = load(request['path'])
         elif kind == 'call':
             result = call(request, context)

@@ -30,8 +30,8 @@ constexpr std::string_view kJoystick =
     "the panel Teleop drives by gamepad, and publishes velocities; the site has no publisher of "
     "`joy`";
 constexpr std::string_view kNavigation =
-    "it is not part of a site; the messages of Nav2 are, for nodes of the workspace that do its "
-    "work";
+    "no channel of the workspace has it; `sources:` of workspace.yaml can name a repository that "
+    "does, or a node of the workspace does its work";
 constexpr std::string_view kSimulator = "a site has no simulator";
 
 constexpr StandIn kStandIns[] = {

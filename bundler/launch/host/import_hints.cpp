@@ -69,7 +69,7 @@ constexpr auto kHints = std::to_array<Hint>({
     {"launch_ros", kLaunch},
     {"mediapipe", kCompiled},
     {"nav2_simple_commander",
-     "Nav2 is not in the channels; its actions can be called with `rclpy.action.ActionClient`, "
+     "it is not in the channels; Nav2's actions can be called with `rclpy.action.ActionClient`, "
      "where the workspace has nav2_msgs and a node that serves them"},
     {"numba",
      "it compiles at run time, which Python in a browser cannot do; the functions run "

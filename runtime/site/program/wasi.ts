@@ -15,12 +15,13 @@ const nosys = 52;
 const characterDevice = 2;
 const regularFile = 4;
 
-/** The exit code of a program that calls proc_exit or exit(). */
+/** The exit code of a program that calls proc_exit or exit(), or returns from main. */
 export class ProgramExit {
   readonly code: number;
 
+  /** The lowest 8 bits count, as for whoever waits for a process: -1 is 255. */
   constructor(code: number) {
-    this.code = code;
+    this.code = code & 0xff;
   }
 }
 

@@ -104,6 +104,8 @@ test('without conditions it runs until all nodes ended', watchdog, async () => {
   const died = await run([site({ program: 'exits.c', arguments: ['--code', '9'] })]);
   assert.equal(died.code, 1);
   assert.match(died.err, /\[exits-1\] process has died \[exit code 9\]/);
+  // As natively, the lowest 8 bits count.
+  assert.match((await run([site({ program: 'exits.c', arguments: ['--code', '-1'] })])).err, /\[exits-1\] process has died \[exit code 255\]/);
 });
 
 test('a node that still waits when the launch ends does not keep the run', watchdog, async () => {

@@ -69,10 +69,16 @@ std::string key_of(const BuiltPackage& built, const CondaPackage& record) {
                      record.version + "\n" + record.license + "\n" + record.summary + "\n" +
                      record.source + "\n";
   for (const std::string& spec : record.depends) text += spec + "\n";
+  // They may be those of the repository, which the hash of the build does not see.
+  for (const fs::path& file : record.license_files) {
+    const auto license = read_file(file, kMostOfText);
+    text += license ? sha256_hex(*license) + "\n" : "\n";
+  }
   return sha256_hex(text);
 }
 
-/// The highest build number of the archives of a version in the channel.
+/// The highest build number of the archives of a version in a folder of the channel. A solver
+/// compares them over all folders.
 std::optional<std::uint64_t> highest_build(const fs::path& folder, const CondaPackage& package) {
   std::optional<std::uint64_t> highest;
   const std::string begin = package.name + "-" + package.version + "-";
@@ -126,14 +132,22 @@ class ChannelBuilder {
     for (const LocalPackage& one : workspace_.sources) {
       if (cancellation.requested()) return interrupted();
       report_.packages.push_back(result_of(one));
+      const Diagnostics& errors = report_.packages.back().errors;
+      // A full disk is not a fault of one package.
+      if (std::any_of(errors.begin(), errors.end(), [](const Diagnostic& error) {
+            return error.kind == FailureKind::kEnvironment;
+          }))
+        return errors;
       // So that a run that is interrupted goes on where it was.
-      if (report_.packages.back().state == ChannelPackageState::kAdded)
+      if (!is_noted_) {
         if (auto written = write_notes(*notes, known_); !written)
           return std::move(written).errors();
+        is_noted_ = true;
+      }
     }
+    add_missing_names();
     std::sort(report_.packages.begin(), report_.packages.end(),
               [](const ChannelPackage& a, const ChannelPackage& b) { return a.name < b.name; });
-    add_missing_names();
     const auto indexed = index_channel(request_.channel);
     if (!indexed) return indexed.errors();
     report_.warnings.insert(report_.warnings.begin(), workspace_.warnings.begin(),
@@ -201,16 +215,19 @@ class ChannelBuilder {
 
     const auto staging = TemporaryDirectory::make("ros2wasm-channel-");
     if (!staging) return staging.errors();
-    std::vector<fs::path> prefixes{workspace_.environment};
-    for (const BuiltPackage& one : workspace_.packages) prefixes.push_back(one.prefix);
-    const auto tree = make_movable(built.prefix, built.name, prefixes, staging->path());
+    BuildPlaces places{
+        .prefixes = {workspace_.environment},
+        .others = {package.directory, package.base, workspace_.settings.cache / "work"}};
+    for (const BuiltPackage& one : workspace_.packages) places.prefixes.push_back(one.prefix);
+    const auto tree = make_movable(built.prefix, built.name, places, staging->path());
     if (!tree) return tree.errors();
     if (!tree->fixed.empty())
       report_.warnings.push_back(names_this_machine(built.name, tree->fixed));
 
     CondaPackage made = record(tree->is_compiled);
     made.placeholder = kMovablePrefix;
-    const auto highest = highest_build(request_.channel / made.subdir, made);
+    const auto highest = std::max(highest_build(request_.channel / "noarch", made),
+                                  highest_build(request_.channel / "emscripten-wasm32", made));
     made.build_number = highest.value_or(0);
     auto written = write(made, *tree, staging->path(), highest.has_value());
     if (written && !*written) {
@@ -219,6 +236,7 @@ class ChannelBuilder {
     }
     if (!written) return std::move(written).errors();
     known_[built.name] = {key, made.subdir + "/" + conda_file_name(made)};
+    is_noted_ = false;
     return **written;
   }
 
@@ -240,10 +258,18 @@ class ChannelBuilder {
   /// Names that were asked for and that no source brought.
   void add_missing_names() {
     for (const std::string& name : request_.names) {
-      const bool is_there =
-          std::any_of(report_.packages.begin(), report_.packages.end(),
-                      [&name](const ChannelPackage& one) { return one.name == name; });
-      if (is_there) continue;
+      const auto there =
+          std::find_if(report_.packages.begin(), report_.packages.end(),
+                       [&name](const ChannelPackage& one) { return one.name == name; });
+      if (there != report_.packages.end()) {
+        if (there->state != ChannelPackageState::kSkipped) continue;
+        there->state = ChannelPackageState::kFailed;
+        there->errors = {
+            Diagnostic{.code = "R2W0519",
+                       .message = "the package `" + name + "` was asked for, and is skipped",
+                       .why = there->reason}};
+        continue;
+      }
       const std::string conda = conda_name(name, workspace_.manifest.distro);
       const auto& names = workspace_.channel_names;
       const bool is_ready = std::binary_search(names.begin(), names.end(), conda);
@@ -270,6 +296,7 @@ class ChannelBuilder {
   std::vector<LocalPackage> built_packages_;
   ChannelAbi abi_;
   KnownBuilds known_;
+  bool is_noted_ = true;  ///< known_ is on the disk
   ChannelBuildReport report_;
 };
 

@@ -32,8 +32,8 @@ std::size_t count_of(const ChannelBuildReport& report, ChannelPackageState state
 std::string cell(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c == '|') result += '\\';
-    result += c == '\n' ? ' ' : c;
+    if (c == '|' || c == '\\') result += '\\';
+    result += c == '\n' || c == '\r' ? ' ' : c;
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include "bundler/pipeline.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -257,8 +258,11 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
     workspace->remarks.push_back(std::move(remark));
 
   // 5. programs with the plugins that they load
-  const auto linked = link_plugins(question->packages, workspace->packages, tools, settings,
-                                   cancellation, progress);
+  // A channel has programs as they are; each workspace that uses them adds its plugins.
+  const auto linked = request.for_channel
+                          ? Outcome<std::map<fs::path, fs::path>>(std::map<fs::path, fs::path>())
+                          : link_plugins(question->packages, workspace->packages, tools, settings,
+                                         cancellation, progress);
   if (!linked) return linked.errors();
 
   // 6. what is installed now, and under which licenses

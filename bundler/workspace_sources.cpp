@@ -72,7 +72,9 @@ std::vector<LockedSource> sources_to_lock(const std::vector<SourceTree>& trees,
     LockedSource& source = sources.emplace_back(tree.locked);
     source.packages.clear();
     for (const LocalPackage& one : packages) {
-      if (one.base == tree.folder)
+      const bool is_of_it =
+          tree.locked.package.empty() || tree.locked.package == one.xml.name.value;
+      if (one.base == tree.folder && is_of_it)
         source.packages.push_back(one.xml.name.value + " " + one.xml.version.value);
     }
     std::sort(source.packages.begin(), source.packages.end());

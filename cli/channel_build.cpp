@@ -93,6 +93,11 @@ class Words {
 
   Outcome<Done> take_distribution() {
     if (request_.names.empty() && options_.distribution.empty()) return Done{};
+    if (request_.names.empty())
+      return refused("no package is named",
+                     "a distribution has hundreds; those that are named are built",
+                     "ros2wasm channel build NAME --distribution " + options_.distribution +
+                         " -o " + options_.output);
     if (options_.distribution.empty())
       return refused("`" + request_.names.front() + "` is not a file or folder here",
                      "packages are built by name when a distribution says where their sources are",

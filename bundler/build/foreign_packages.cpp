@@ -46,7 +46,9 @@ Outcome<std::vector<std::string>> faults_of(const fs::path& folder, const TreeEn
   if (!version.empty() && version != site_python())
     return std::vector<std::string>{"it is for Python " + version + ", and a site has Python " +
                                     std::string(site_python())};
-  const bool is_object = entry.path.ends_with(".a") || entry.path.ends_with(".o");
+  // Python's own folders have libraries that no program of a site is linked with.
+  const bool is_object = (entry.path.ends_with(".a") || entry.path.ends_with(".o")) &&
+                         !entry.path.starts_with(kPythonFolder);
   const bool is_module = entry.path.ends_with(".so") && entry.path.starts_with(kPythonFolder);
   if (!is_object && !is_module) return faults;
   const auto bytes = read_file(folder / entry.path, kMostOfData);

@@ -41,31 +41,30 @@ bool is_code(const std::string& path) {
                      [&path](std::string_view suffix) { return path.ends_with(suffix); });
 }
 
-bool names_one(std::string_view bytes, const std::vector<fs::path>& prefixes) {
-  return std::any_of(prefixes.begin(), prefixes.end(), [bytes](const fs::path& one) {
+bool names_one(std::string_view bytes, const std::vector<fs::path>& folders) {
+  return std::any_of(folders.begin(), folders.end(), [bytes](const fs::path& one) {
     return bytes.find(one.native()) != std::string_view::npos;
   });
 }
 
-/// Copies one file; false when it names this machine and cannot be changed.
-Outcome<bool> copy_movable(const fs::path& from, const TreeEntry& entry,
-                           const std::vector<fs::path>& prefixes, const fs::path& to) {
+/// Copies one file; false when it names this machine all the same.
+Outcome<bool> copy_movable(const fs::path& from, const TreeEntry& entry, const BuildPlaces& places,
+                           const fs::path& to) {
   auto bytes = read_file(from / entry.path, kMostOfData);
   if (!bytes) return std::move(bytes).errors();
-  bool moves = !names_one(*bytes, prefixes);
-  if (!moves && bytes->find('\0') == std::string::npos) {
-    for (const fs::path& one : prefixes)
+  if (bytes->find('\0') == std::string::npos) {
+    for (const fs::path& one : places.prefixes)
       *bytes = with_replaced(*bytes, one.string(), kMovablePrefix);
-    moves = true;
   }
   if (auto done = write_file(to / entry.path, *bytes); !done) return std::move(done).errors();
-  if (!entry.executable) return moves;
-  std::error_code error;
-  fs::permissions(to / entry.path,
-                  fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                  fs::perm_options::add, error);
-  if (error) return cannot_write(to / entry.path, error.value());
-  return moves;
+  if (entry.executable) {
+    std::error_code error;
+    fs::permissions(to / entry.path,
+                    fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                    fs::perm_options::add, error);
+    if (error) return cannot_write(to / entry.path, error.value());
+  }
+  return !names_one(*bytes, places.prefixes) && !names_one(*bytes, places.others);
 }
 
 Outcome<Done> copy_link(const TreeEntry& entry, const fs::path& to) {
@@ -76,15 +75,26 @@ Outcome<Done> copy_link(const TreeEntry& entry, const fs::path& to) {
   return Done{};
 }
 
+/// As they were given, and with links followed: tools write either. The root and folders without a
+/// name are left to themselves.
+std::vector<fs::path> spellings(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> result;
+  for (const fs::path& one : folders) {
+    if (one.relative_path().empty()) continue;
+    result.push_back(one);
+    if (const auto real = real_path(one); real && *real != one) result.push_back(*real);
+  }
+  return result;
+}
+
 }  // namespace
 
 Outcome<MovableTree> make_movable(const fs::path& prefix, const std::string& package,
-                                  const std::vector<fs::path>& prefixes, const fs::path& to) {
+                                  const BuildPlaces& places, const fs::path& to) {
   const auto entries = list_tree(prefix);
   if (!entries) return entries.errors();
-  std::vector<fs::path> known;
-  for (const fs::path& one : prefixes)
-    if (!one.empty()) known.push_back(one);
+  const BuildPlaces known{.prefixes = spellings(places.prefixes),
+                          .others = spellings(places.others)};
   MovableTree tree;
   for (const TreeEntry& entry : *entries) {
     if (is_skipped(entry.path)) continue;
@@ -95,12 +105,13 @@ Outcome<MovableTree> make_movable(const fs::path& prefix, const std::string& pac
     if (entry.kind != FileKind::kFile) continue;
     // Kits are rewritten below, from what they say here.
     const bool is_kit = entry.path.starts_with(kLinkKitFolder);
-    const auto moves = copy_movable(prefix, entry, is_kit ? std::vector<fs::path>() : known, to);
+    const auto moves = copy_movable(prefix, entry, is_kit ? BuildPlaces() : known, to);
     if (!moves) return moves.errors();
     if (!*moves) tree.fixed.push_back(entry.path);
     tree.is_compiled = tree.is_compiled || is_code(entry.path);
   }
-  if (auto done = make_kits_movable(to, package, known); !done) return std::move(done).errors();
+  if (auto done = make_kits_movable(to, package, known.prefixes); !done)
+    return std::move(done).errors();
   auto hash = hash_of_tree(to);
   if (!hash) return std::move(hash).errors();
   tree.hash = *std::move(hash);

@@ -14,19 +14,27 @@ namespace ros2wasm {
 inline constexpr const char* kMovablePrefix = "/opt/ros2wasm/installed-prefix";
 
 struct MovableTree {
-  std::string hash;          ///< of names and bytes
-  bool is_compiled = false;  ///< it has code for the site's processor
-  std::vector<std::string>
-      fixed;  ///< files that name this machine all the same: binary ones, sorted
+  std::string hash;                ///< of names and bytes
+  bool is_compiled = false;        ///< it has code for the site's processor
+  std::vector<std::string> fixed;  ///< files that name this machine all the same, sorted
+};
+
+/// The folders of this machine that a package may name.
+struct BuildPlaces {
+  /// The package's own prefix, those it was built with, and the environment: what is there is in
+  /// the package, or in one that it needs.
+  std::vector<std::filesystem::path> prefixes;
+  /// Its sources, and where it was compiled: nothing of that is in a package.
+  std::vector<std::filesystem::path> others;
 };
 
 /// Copies `prefix`, where `package` is installed, to the empty folder `to`. In texts each of
-/// `prefixes` (it, what it was built with, the environment) becomes kMovablePrefix; set-up scripts
+/// the prefixes becomes kMovablePrefix; set-up scripts
 /// of shells and notes of the build are skipped; link kits name files of other packages by their
 /// place (R2W0505 when a file is in no package).
 [[nodiscard]] Outcome<MovableTree> make_movable(const std::filesystem::path& prefix,
                                                 const std::string& package,
-                                                const std::vector<std::filesystem::path>& prefixes,
+                                                const BuildPlaces& places,
                                                 const std::filesystem::path& to);
 
 }  // namespace ros2wasm

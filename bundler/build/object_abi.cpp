@@ -35,6 +35,15 @@ void add(std::string_view fault, std::vector<std::string>& faults) {
   if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.emplace_back(fault);
 }
 
+/// A call through JavaScript that catches what is thrown: its name ends with the letters of its
+/// types ("invoke_vii").
+bool is_invoke(const WasmImport& import) {
+  constexpr std::string_view kBegin = "invoke_";
+  if (import.module != "env" || !import.name.starts_with(kBegin)) return false;
+  return import.name.size() > kBegin.size() &&
+         import.name.find_first_not_of("vijfdep", kBegin.size()) == std::string::npos;
+}
+
 void add_faults(std::string_view object, std::vector<std::string>& faults) {
   const auto module = read_wasm_module(object);
   if (!module) {
@@ -49,8 +58,7 @@ void add_faults(std::string_view object, std::vector<std::string>& faults) {
     if (section.name == "target_features" && disallows_threads(object, section))
       add(kWithoutThreads, faults);
   for (const WasmImport& import : module->imports)
-    if (import.module == "env" && import.name.starts_with("invoke_"))
-      add(kScriptExceptions, faults);
+    if (is_invoke(import)) add(kScriptExceptions, faults);
 }
 
 }  // namespace

@@ -121,13 +121,20 @@ std::vector<std::string> changed_libraries(const std::vector<LockedLibrary>& loc
 std::vector<std::string> changed_sources(const std::vector<LockedSource>& locked,
                                          const std::vector<LockedSource>& wanted) {
   std::vector<std::string> changes;
+  // Which packages are taken of a source is not a change of it.
+  const auto has = [](const std::vector<LockedSource>& sources, LockedSource one) {
+    return std::any_of(sources.begin(), sources.end(), [&one](const LockedSource& other) {
+      one.packages = other.packages;
+      return one == other;
+    });
+  };
   for (const LockedSource& one : wanted) {
-    if (std::find(locked.begin(), locked.end(), one) != locked.end()) continue;
+    if (has(locked, one)) continue;
     changes.push_back("the source `" + (one.git.empty() ? one.archive : one.git) +
                       "` would be new, or is another one");
   }
   for (const LockedSource& one : locked) {
-    if (std::find(wanted.begin(), wanted.end(), one) == wanted.end())
+    if (!has(wanted, one))
       changes.push_back("the source `" + (one.git.empty() ? one.archive : one.git) +
                         "` is not asked for as it is in the lock");
   }

@@ -7,6 +7,8 @@
 #include "bundler/resolve/solve.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/python_tree.hpp"
+#include "workspace_schema/conda/version.hpp"
+#include "workspace_schema/conda/version_spec.hpp"
 #include "workspace_schema/schema/package_xml.hpp"
 
 namespace ros2wasm {
@@ -23,6 +25,12 @@ bool is_for_use(DependencyKind kind) {
 
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
+}
+
+bool keeps(const std::string& version, const std::string& limit) {
+  const auto parsed = Version::parse(version);
+  const auto spec = VersionSpec::parse(limit);
+  return parsed && spec && spec->matches(*parsed);
 }
 
 /// Conda names with their limits of versions.
@@ -42,7 +50,11 @@ class Needs {
       if (std::find(own.begin(), own.end(), text) == own.end()) own.push_back(std::move(text));
     };
     if (local != packages_.end()) limit(">=" + local->xml.version.value);
-    for (const auto& text : version_limits(limits)) limit(text);
+    for (const auto& text : version_limits(limits)) {
+      // One that the package here does not keep was only a warning (R2W0535): no solve could keep
+      // it.
+      if (local == packages_.end() || keeps(local->xml.version.value, text)) limit(text);
+    }
   }
 
   /// Adds a name that is not one of a ROS package.
@@ -77,11 +89,6 @@ std::string license_of(const PackageXml& xml) {
   return text;
 }
 
-/// One line: descriptions may have several.
-std::string summary_of(const PackageXml& xml) {
-  return xml.description.substr(0, xml.description.find('\n'));
-}
-
 }  // namespace
 
 CondaPackage channel_record(const LocalPackage& package, const std::vector<LocalPackage>& packages,
@@ -112,7 +119,7 @@ CondaPackage channel_record(const LocalPackage& package, const std::vector<Local
           .entry_points = {},
           .license = license_of(package.xml),
           .license_files = {},
-          .summary = summary_of(package.xml),
+          .summary = package.xml.description,
           .home = {},
           .source = package.origin,
           .placeholder = {}};

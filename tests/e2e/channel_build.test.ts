@@ -243,6 +243,14 @@ launch:
   assert.match(await succeeds('run', 'plugin_site', '--for', '20s', '--until', 'these are all'), /room_square::Square has 6\.2/);
 });
 
+test('a program with a folder of its sources in it is named', watchdog, async () => {
+  ws.addPackage('room_fixed', { fixed: '#include <cstdio>\nint main() { std::puts(HERE); }\n' }, { cmake: 'target_compile_definitions(fixed PRIVATE HERE="${CMAKE_CURRENT_SOURCE_DIR}/data")' });
+  renameSync(join(ws.root, 'src/room_fixed'), join(ws.root, 'fixed'));
+  const { code, stderr } = await build('fixed', '-o', 'of_fixed');
+  assert.equal(code, 0, stderr);
+  assert.match(stderr, /R2W0533.*package `room_fixed` of the channel names folders of this machine.*lib\/room_fixed\/fixed\.wasm/);
+});
+
 test('a package that has changed is added with the next build number, and the earlier one stays', watchdog, async () => {
   const before = archives('room');
   ws.write('src/room_driver/config/area.txt', '20\n');

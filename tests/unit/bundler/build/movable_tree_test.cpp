@@ -28,7 +28,8 @@ class MovableTreeTest : public ::testing::Test {
   }
 
   [[nodiscard]] Outcome<MovableTree> make() const {
-    return make_movable(prefix_, "arm", {prefix_, other_}, to());
+    return make_movable(prefix_, "arm",
+                        {.prefixes = {prefix_, other_}, .others = {root_->path() / "src"}}, to());
   }
 
   [[nodiscard]] fs::path to() const { return root_->path() / "copy"; }
@@ -63,6 +64,24 @@ TEST_F(MovableTreeTest, CompiledFilesThatNameThisMachineAreListed) {
   EXPECT_EQ(tree->fixed, std::vector<std::string>{"lib/arm/driver.wasm"});
   EXPECT_TRUE(tree->is_compiled);
   EXPECT_EQ(read("lib/arm/driver.wasm"), program);
+}
+
+TEST_F(MovableTreeTest, FoldersOfSourcesAreNamedInTextsToo) {
+  write("share/arm/map.yaml", "image: " + (root_->path() / "src/arm/map.pgm").string() + "\n");
+  const auto tree = make();
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(tree->fixed, std::vector<std::string>{"share/arm/map.yaml"});
+}
+
+TEST_F(MovableTreeTest, APlaceBehindALinkIsKnownInBothSpellings) {
+  std::error_code error;
+  fs::create_directory_symlink(root_->path() / "built", root_->path() / "by_link", error);
+  ASSERT_FALSE(error);
+  write("share/arm/a.cmake", prefix_.string() + "\n");
+  const auto tree = make_movable(
+      prefix_, "arm", {.prefixes = {root_->path() / "by_link" / "arm-0123"}, .others = {}}, to());
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(read("share/arm/a.cmake"), std::string(kMovablePrefix) + "\n");
 }
 
 TEST_F(MovableTreeTest, ScriptsForShellsAndNotesOfTheBuildAreSkipped) {

@@ -67,6 +67,8 @@ TEST(ObjectAbi, WhatForbidsSharedMemoryHasNoThreads) {
 TEST(ObjectAbi, ExceptionsThroughJavaScriptAreKnownByTheirHelpers) {
   EXPECT_EQ(object_abi_faults(kHead + import("invoke_vi")), Faults{kExceptions});
   EXPECT_EQ(object_abi_faults(kHead + import("involved")), Faults{});
+  EXPECT_EQ(object_abi_faults(kHead + import("invoke_callback")), Faults{});
+  EXPECT_EQ(object_abi_faults(kHead + import("invoke_")), Faults{});
 }
 
 TEST(ObjectAbi, EachReasonOfAnArchiveIsSaidOnce) {

@@ -45,6 +45,7 @@ TEST(ChannelRecord, NeedsAreThoseOfUse) {
   EXPECT_EQ(record.subdir, "emscripten-wasm32");
   EXPECT_EQ(record.noarch, NoarchKind::kNo);
   EXPECT_EQ(record.license, "MIT AND BSD-3-Clause");
+  EXPECT_EQ(record.summary, "First line and more");
   EXPECT_EQ(record.depends, (Texts{"eigen", "emscripten-abi 3.1.6 clang14.0.6_h0123456789ab_0",
                                    "ros-jazzy-arm-msgs >=1.2.0", "ros-jazzy-rclcpp >=28.0",
                                    "ros2wasm-abi * hba9876543210_0"}));
@@ -69,6 +70,13 @@ TEST(ChannelRecord, ImportsThatPackageXmlForgetsCount) {
   all[0].cmake_packages.push_back({.value = "tf2", .span = {.file = {}, .line_text = {}}});
   EXPECT_EQ(channel_record(all[0], all, kKnown, "jazzy", false, kAbi).depends,
             Texts{"ros-jazzy-tf2"});
+}
+
+TEST(ChannelRecord, ALimitThatThePackageHereDoesNotKeepIsDropped) {
+  const std::vector<LocalPackage> all{
+      package("arm", "<depend version_gte=\"2.0\">arm_msgs</depend>"), package("arm_msgs", "")};
+  EXPECT_EQ(channel_record(all[0], all, kKnown, "jazzy", false, kAbi).depends,
+            Texts{"ros-jazzy-arm-msgs >=1.2.0"});
 }
 
 TEST(ChannelRecord, AnUnknownCompilerIsNamedByItsVersion) {

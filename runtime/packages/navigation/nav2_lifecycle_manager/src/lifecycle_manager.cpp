@@ -369,6 +369,7 @@ void LifecycleManager::onRclPreshutdown() {
   RCLCPP_INFO(get_logger(), "Running Nav2 LifecycleManager rcl preshutdown (%s)", get_name());
   destroyBondTimer();
   // The thread may wait for a node.
+  link_->is_ending = true;
   if (thread_) link_->executor.cancel();
   thread_.reset();
   node_names_.clear();

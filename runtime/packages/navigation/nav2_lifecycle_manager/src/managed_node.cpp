@@ -49,12 +49,17 @@ typename ServiceT::Response::SharedPtr ManagedNode::ask(
     rclcpp::Client<ServiceT>& client, typename ServiceT::Request::SharedPtr request,
     std::chrono::nanoseconds timeout) {
   auto future = client.async_send_request(request);
-  if (link_->executor.spin_until_future_complete(future, timeout) !=
-      rclcpp::FutureReturnCode::SUCCESS) {
-    client.remove_pending_request(future);
-    return nullptr;
+  // In slices, since an end that is asked for between two waits would not be seen by the next one.
+  constexpr std::chrono::nanoseconds kSlice = 250ms;
+  const auto began = std::chrono::steady_clock::now();
+  while (rclcpp::ok() && !link_->is_ending) {
+    if (link_->executor.spin_until_future_complete(future, kSlice) ==
+        rclcpp::FutureReturnCode::SUCCESS)
+      return future.get();
+    if (timeout >= 0ns && std::chrono::steady_clock::now() - began >= timeout) break;
   }
-  return future.get();
+  client.remove_pending_request(future);
+  return nullptr;
 }
 
 bool ManagedNode::change_state(std::uint8_t transition) {

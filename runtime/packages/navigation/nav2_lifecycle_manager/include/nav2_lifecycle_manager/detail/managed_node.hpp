@@ -2,6 +2,7 @@
 // is spun while the manager waits, so that the bonds of other nodes go on meanwhile.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -20,6 +21,8 @@ struct NodeLink {
   rclcpp::Node* node;
   rclcpp::CallbackGroup::SharedPtr group;
   rclcpp::executors::SingleThreadedExecutor executor;
+  /// The manager ends: nobody waits for an answer any more.
+  std::atomic<bool> is_ending = false;
 };
 
 class ManagedNode {

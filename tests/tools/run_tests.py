@@ -5,13 +5,15 @@ A suite is one row: a name, a command and how its result is counted. Suites that
 idle run three at a time, then the others one by one. A suite that runs no test counts as a failure, and so does a
 skipped test: neither may pass for tested. Tests that wait for browsers and
 clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
-that fails twice has failed. A nightly run (ROS2WASM_NIGHTLY=1) also fuzzes, and plays scenes on every link and in every
+that fails twice has failed. On a machine that is too slow for all files of e2e and browser in the time that a run may take, those
+that were not begun are listed: they count for nothing. Which ones these are changes from commit to commit. A nightly run (ROS2WASM_NIGHTLY=1) also fuzzes, and plays scenes on every link and in every
 host: the tests that import tests/support/nightly.ts.
 """
 from __future__ import annotations
 
 import argparse
 import contextlib
+import hashlib
 import os
 import re
 import shutil
@@ -43,6 +45,11 @@ MOST_SECONDS = 1200
 # How long it may take to answer before it is killed.
 LAST_WORDS_SECONDS = 20
 NIGHTLY = os.environ.get("ROS2WASM_NIGHTLY") == "1"
+# An ordinary run begins no further files after so many minutes, counted from the start of ./dev (seconds since 1970).
+MOST_MINUTES = 74
+BEGAN = float(os.environ.get("ROS2WASM_TEST_BEGAN") or time.time())
+# Files of the long suites that are run by one call of Node.js.
+FILES_AT_ONCE = 24
 
 
 @dataclass(frozen=True)
@@ -54,6 +61,7 @@ class Suite:
     nightly: bool = False  # runs in a nightly run, and when it is asked for
     most_seconds: float = MOST_SECONDS
     not_run: str = ""  # why it cannot run on this machine: said in a line; a failure when it was asked for
+    files: tuple[str, ...] = ()  # test files behind the command; run in parts, while there is time
 
 
 @dataclass(frozen=True)
@@ -63,6 +71,7 @@ class Counts:
     skipped: int = 0
     again: tuple[str, ...] = ()  # failed, and passed when they were run once more
     seconds: float = 0
+    not_begun: tuple[str, ...] = ()  # files for which there was no time
 
 
 @dataclass(frozen=True)
@@ -190,11 +199,28 @@ def suites(build: Path, bless: bool) -> list[Suite]:
             "lines",
         ),
         Suite("conformance", node(tests_of("conformance")), "node", alone=True),
-        Suite("e2e", node([file for file in ends if file not in browser]), "node", alone=True,
-              most_seconds=1800),
-        Suite("browser", node(browser, 4), "node", alone=True, most_seconds=2700),
+        Suite("e2e", node([]), "node", alone=True,
+              files=tuple(str(file) for file in ends if file not in browser)),
+        Suite("browser", node([], 4), "node", alone=True, files=tuple(map(str, browser))),
     ]
     return rows
+
+
+def parts_of(suite: Suite) -> list[Suite]:
+    """The suite in parts of some files each, in an order that changes with the commit. In a part the long ones stay
+    first."""
+    said = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False)
+    commit = said.stdout
+    files = sorted(suite.files, key=lambda file: hashlib.sha256((commit + file).encode()).hexdigest())
+    rank = {file: place for place, file in enumerate(suite.files)}
+    parts = [sorted(files[at:at + FILES_AT_ONCE], key=lambda file: rank[file])
+             for at in range(0, len(files), FILES_AT_ONCE)]
+    return [replace(suite, name=f"{suite.name}-{number}", command=[*suite.command, *part], files=tuple(part))
+            for number, part in enumerate(parts, 1)]
+
+
+def is_late() -> bool:
+    return not NIGHTLY and time.time() - BEGAN > 60 * MOST_MINUTES
 
 
 def chosen_of(rows: list[Suite], names: list[str], nightly: bool) -> list[Suite]:
@@ -280,6 +306,26 @@ def tried_again(suite: Suite, report: Path, output: str, environment: dict[str, 
     return Counts(first.passed + len(failed), 0, first.skipped, tuple(case.name for case in failed))
 
 
+def run_in_parts(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
+    began = time.monotonic()
+    all_counts = Counts(0, 0)
+    for part in parts_of(suite):
+        if is_late():
+            all_counts = replace(all_counts, not_begun=(*all_counts.not_begun, *part.files))
+            continue
+        counts = run(part, build, environment)
+        all_counts = replace(
+            all_counts, passed=all_counts.passed + counts.passed, failed=all_counts.failed + counts.failed,
+            skipped=all_counts.skipped + counts.skipped, again=(*all_counts.again, *counts.again))
+    if all_counts.not_begun:
+        print(f"{suite.name}: not begun, for there was no time: {len(all_counts.not_begun)} of "
+              f"{len(suite.files)} files", flush=True)
+        if all_counts.passed == 0:
+            all_counts = replace(all_counts, failed=all_counts.failed + 1)
+    print(f"{suite.name:12} {all_counts.passed:5} passed, {all_counts.failed} failed in all", flush=True)
+    return replace(all_counts, seconds=time.monotonic() - began)
+
+
 def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
     report = build / "test-reports" / f"{suite.name}.xml"
     report.parent.mkdir(parents=True, exist_ok=True)
@@ -314,7 +360,8 @@ def main() -> int:
     options = parser.parse_args()
     build = options.build.resolve()
     cache = build / "test-cache"
-    shutil.rmtree(cache, ignore_errors=True)
+    for earlier in (cache, build / "test-reports"):
+        shutil.rmtree(earlier, ignore_errors=True)
     environment = dict(os.environ, ROS2WASM_BUILD=str(build), ROS2WASM_CLI=str(build / "ros2wasm"),
                        ROS2WASM_CONDA_DATA=str(conda_data()), ROS2WASM_TEST_CACHE=str(cache))
     rows = suites(build, options.bless)
@@ -327,7 +374,7 @@ def main() -> int:
         if suite.not_run:
             print(f"{suite.name:12} not run: {suite.not_run}", flush=True)
             return Counts(0, 1 if options.filter else 0)
-        return run(suite, build, environment)
+        return (run_in_parts if suite.files else run)(suite, build, environment)
 
     pairs = [suite for suite in chosen if not suite.alone]
     alone = [suite for suite in chosen if suite.alone]
@@ -337,11 +384,15 @@ def main() -> int:
     failed = sum(r.failed + r.skipped for r in results)
     ran = list(zip(pairs + alone, results, strict=True))
     print("\nslowest tests (s):")
-    for seconds, name in slowest([build / "test-reports" / f"{suite.name}.xml" for suite, _ in ran]):
+    reports = [report for suite, _ in ran for report in sorted((build / "test-reports").glob(f"{suite.name}*.xml"))]
+    for seconds, name in slowest(reports):
         print(f"{seconds:7.1f}  {name}")
     print("\nminutes by suite:")
     for suite, counts in sorted(ran, key=lambda row: -row[1].seconds):
         print(f"{counts.seconds / 60:7.1f}  {suite.name}")
+    for suite, counts in ran:
+        for file in counts.not_begun:
+            print(f"not begun: {Path(file).relative_to(ROOT)}")
     again = [f"{suite.name}: {name}" for suite, counts in ran for name in counts.again]
     (build / "test-reports" / "second-tries.txt").write_text("".join(f"{line}\n" for line in again))
     for line in again:

@@ -6,10 +6,14 @@ import io
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
-from tests.tools.run_tests import LONGEST, ROOT, SECOND_TRIES, Counts, Suite, chosen_of, opens_browser, run, suites
+from tests.tools import run_tests
+from tests.tools.run_tests import (LONGEST, ROOT, SECOND_TRIES, Counts, Suite, chosen_of, opens_browser, parts_of, run,
+                                   run_in_parts, suites)
 
 # Fails as long as there are fewer than `needed` lines in the file beside it, and adds one.
 FAILS_AT_FIRST = """
@@ -85,12 +89,12 @@ class SuitesTest(unittest.TestCase):
         for suite in suites(ROOT / "build", bless=False):
             if suite.name not in ("e2e", "browser"):
                 continue
-            files = [Path(word).name.removesuffix(".test.ts") for word in suite.command if word.endswith(".test.ts")]
+            files = [Path(word).name.removesuffix(".test.ts") for word in suite.files]
             longest = [name for name in LONGEST if name in files]
             self.assertEqual(files[:len(longest)], longest, suite.name)
 
     def test_every_test_file_is_in_one_suite(self) -> None:
-        words = [word for suite in suites(ROOT / "build", bless=False) for word in suite.command]
+        words = [word for suite in suites(ROOT / "build", bless=False) for word in (*suite.command, *suite.files)]
         named = [word for word in words if word.endswith(".test.ts")]
         self.assertEqual(sorted(named), sorted(str(file) for file in (ROOT / "tests").rglob("*.test.ts")))
 
@@ -128,6 +132,50 @@ class NightlyTest(unittest.TestCase):
                 said = subprocess.run(command, env=variables, text=True, capture_output=True, check=True).stdout
                 self.assertIn(variants + "\n", said)
                 self.assertEqual("large" in said, has_test, said)
+
+
+FILES = tuple(str(ROOT / "tests" / "e2e" / f"{number:02}.test.ts") for number in range(60))
+SUITE = Suite("e2e", ["node", "--test"], "node", alone=True, files=FILES)
+
+
+class PartsTest(unittest.TestCase):
+    def test_each_file_is_in_one_part_and_the_long_ones_come_first_in_it(self) -> None:
+        parts = parts_of(SUITE)
+        self.assertEqual(sorted(file for part in parts for file in part.files), sorted(FILES))
+        self.assertEqual([part.name for part in parts], ["e2e-1", "e2e-2", "e2e-3"])
+        for part in parts:
+            self.assertEqual(list(part.files), sorted(part.files))
+            self.assertEqual(part.command, ["node", "--test", *part.files])
+        self.assertNotEqual(parts[0].files, FILES[:len(parts[0].files)])
+
+    def counts(self, minutes: float, outcome: Counts) -> tuple[Counts, str]:
+        """Runs the suite when so many minutes have passed; each part takes two."""
+        began = [time.time() - 60 * minutes]
+
+        def one(*_: object) -> Counts:
+            began[0] -= 120
+            run_tests.BEGAN = began[0]
+            return outcome
+
+        said = io.StringIO()
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(run_tests, "BEGAN", began[0]), \
+                mock.patch.object(run_tests, "NIGHTLY", False), mock.patch.object(run_tests, "run", one), \
+                contextlib.redirect_stdout(said):
+            return run_in_parts(SUITE, Path(folder), {}), said.getvalue()
+
+    def test_all_parts_run_while_there_is_time(self) -> None:
+        counts, said = self.counts(10, Counts(5, 1, again=("flaky",)))
+        self.assertEqual((counts.passed, counts.failed, counts.again, counts.not_begun), (15, 3, ("flaky",) * 3, ()))
+        self.assertNotIn("not begun", said)
+
+    def test_files_without_time_are_listed_and_count_for_nothing(self) -> None:
+        counts, said = self.counts(run_tests.MOST_MINUTES - 3, Counts(5, 0))
+        self.assertEqual((counts.passed, counts.failed, len(counts.not_begun)), (10, 0, 12))
+        self.assertIn("not begun, for there was no time: 12 of 60 files", said)
+
+    def test_a_suite_of_which_nothing_ran_has_failed(self) -> None:
+        counts, _ = self.counts(run_tests.MOST_MINUTES + 1, Counts(5, 0))
+        self.assertEqual((counts.passed, counts.failed, len(counts.not_begun)), (0, 1, 60))
 
 
 if __name__ == "__main__":

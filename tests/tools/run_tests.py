@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Runs every test suite of the project and ends with the counts.
 
-A suite is one row: a name, a command and how its result is counted. Suites that leave a core
-idle run three at a time, then the others one by one. A suite that runs no test counts as a failure, and so does a
-skipped test: neither may pass for tested. Tests that wait for browsers and
-clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
-that fails twice has failed. On a machine that is too slow for all files of e2e and browser in the time that a run may take, those
-that were not begun are listed: they count for nothing. Which ones these are changes from commit to commit. A nightly run (ROS2WASM_NIGHTLY=1) also fuzzes, and plays scenes on every link and in every
-host: the tests that import tests/support/nightly.ts.
+A suite is one row: a name, a command and how its result is counted. Suites that leave a core idle run three at
+a time, then the others one by one. A suite that runs no test counts as a failure, and so does a skipped test:
+neither may pass for tested. Tests that wait for browsers and clocks share a machine with others, so the few
+that fail are run once more by themselves, and named: a test that fails twice has failed. On a machine that is
+too slow for all files of e2e and browser in the time that a run may take, those that were not begun are listed:
+they count for nothing. Which ones these are changes from commit to commit. A nightly run (ROS2WASM_NIGHTLY=1)
+also fuzzes, and plays scenes on every link and in every host: the tests that import tests/support/nightly.ts.
 """
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ import { PackWorkspace } from './pack_workspace.ts';
 
 const watchdog = { timeout: 240_000 };
 /** Python packages that need each other in a row. */
-const COUNT = 8;
+const COUNT = 9;
 
 let ws: PackWorkspace;
 let repositories: GitServer;

@@ -104,7 +104,7 @@ Diagnostic names_this_machine(const std::string& package, const std::vector<std:
       .why = {"`" + files.front() + "` has them" +
                   (files.size() > 1 ? ", and " + std::to_string(files.size() - 1) + " other files"
                                     : "") +
-                  ": they are not texts, so nothing is replaced",
+                  ": it is compiled, so that nothing is replaced in it, or it leads to the sources",
               "another machine would make other bytes, and the program finds nothing there"},
       .fix = {}};
 }

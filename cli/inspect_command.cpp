@@ -189,28 +189,40 @@ int inspect_archive(Context& context, const InspectOptions& options) {
   return listing->faults.empty() ? 0 : 1;
 }
 
+struct LockedPackages {
+  std::vector<PackageRecord> packages;
+  std::vector<PackageRecord> built_here;  ///< as in RepoIndex
+};
+
 /// The packages of a lock, ours or another tool's.
-Outcome<std::vector<PackageRecord>> locked_packages(const InspectOptions& options) {
+Outcome<LockedPackages> locked_packages(const InspectOptions& options) {
   const auto text = read_file(options.file, kMostOfList);
   if (!text) return text.errors();
   if (std::filesystem::path(options.file).filename() == kLockFileName) {
     auto lock = read_lock(*text, options.file);
     if (!lock) return std::move(lock).errors();
-    return std::move(lock->packages);
+    LockedPackages result{.packages = std::move(lock->packages), .built_here = {}};
+    for (const std::string& one : lock->built_here) {
+      const std::size_t space = std::min(one.find(' '), one.size());
+      result.built_here.push_back({.name = one.substr(0, space),
+                                   .version = one.substr(std::min(space + 1, one.size())),
+                                   .build = "workspace"});
+    }
+    return result;
   }
   auto foreign = read_foreign_environment(*text, options.file, options.environment);
   if (!foreign) return std::move(foreign).errors();
-  return std::move(foreign->packages);
+  return LockedPackages{.packages = std::move(foreign->packages), .built_here = {}};
 }
 
 /// Whether all that each package needs and allows is so.
 int inspect_lock(Context& context, const InspectOptions& options) {
-  const auto packages = locked_packages(options);
-  if (!packages) return context.console.fail(packages.errors());
-  const Diagnostics faults = check_solution({}, *packages);
+  const auto locked = locked_packages(options);
+  if (!locked) return context.console.fail(locked.errors());
+  const Diagnostics faults = check_solution({}, locked->packages, locked->built_here);
   JsonWriter json;
   json.begin_object().field("lock", options.file);
-  json.key("packages").unsigned_integer(packages->size()).key("faults").begin_array();
+  json.key("packages").unsigned_integer(locked->packages.size()).key("faults").begin_array();
   for (const Diagnostic& one : faults) json.string(one.message);
   json.end_array().end_object();
   context.console.result(json.text());

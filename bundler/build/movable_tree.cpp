@@ -7,6 +7,7 @@
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/source_hash.hpp"
 #include "bundler/io/files.hpp"
+#include "bundler/workspace/share_tree.hpp"
 #include "workspace_schema/base/replaced_text.hpp"
 
 namespace ros2wasm {
@@ -14,26 +15,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto kCompiled = std::to_array<std::string_view>({".a", ".o", ".so", ".wasm"});
-/// In share/<package>: scripts for shells, which a site has no use for.
-constexpr auto kShellScripts = std::to_array<std::string_view>(
-    {"package.bash", "package.dsv", "package.ps1", "package.sh", "package.zsh"});
-
-std::vector<std::string> parts_of(const std::string& path) {
-  std::vector<std::string> parts;
-  for (const fs::path& part : fs::path(path)) parts.push_back(part.string());
-  return parts;
-}
-
-/// Notes that the build leaves in a prefix, and what only shells read.
+/// Notes that the build leaves in a prefix, and scripts that set up a shell.
 bool is_skipped(const std::string& path) {
   if (path.starts_with('.') || path.ends_with(".left_out")) return true;
   if (path.starts_with("share/ament_index/resource_index/parent_prefix_path/")) return true;
-  const std::vector<std::string> parts = parts_of(path);
-  if (parts.size() < 3 || parts[0] != "share") return false;
-  if (parts[2] == "environment") return true;
-  return parts.size() == 3 &&
-         (parts[2].starts_with("local_setup.") ||
-          std::find(kShellScripts.begin(), kShellScripts.end(), parts[2]) != kShellScripts.end());
+  const fs::path file(path);
+  const fs::path folder = file.parent_path();
+  return folder.has_parent_path() && folder.parent_path() == "share" &&
+         sets_up_shell(file.filename());
 }
 
 bool is_code(const std::string& path) {

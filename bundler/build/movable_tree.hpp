@@ -28,10 +28,9 @@ struct BuildPlaces {
   std::vector<std::filesystem::path> others;
 };
 
-/// Copies `prefix`, where `package` is installed, to the empty folder `to`. In texts each of
-/// the prefixes becomes kMovablePrefix; set-up scripts
-/// of shells and notes of the build are skipped; link kits name files of other packages by their
-/// place (R2W0505 when a file is in no package).
+/// Copies `prefix`, where `package` is installed, to the empty folder `to`. In texts each of the
+/// prefixes becomes kMovablePrefix. Scripts that set up a shell and notes of the build are skipped.
+/// Link kits name files of other packages by their place (R2W0505 when a file is in no package).
 [[nodiscard]] Outcome<MovableTree> make_movable(const std::filesystem::path& prefix,
                                                 const std::string& package,
                                                 const BuildPlaces& places,

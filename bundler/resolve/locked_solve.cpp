@@ -9,6 +9,7 @@
 
 #include "bundler/io/files.hpp"
 #include "workspace_schema/base/suggestion.hpp"
+#include "workspace_schema/conda/match_spec.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -141,6 +142,21 @@ std::vector<std::string> changed_sources(const std::vector<LockedSource>& locked
   return changes;
 }
 
+/// Those that one of the packages names, as the lock has them.
+std::vector<std::string> needed_here(const std::vector<PackageRecord>& packages,
+                                     const std::vector<PackageRecord>& built_here) {
+  std::set<std::string> needed;
+  for (const PackageRecord& record : packages) {
+    for (const std::string& text : record.depends) {
+      const auto spec = MatchSpec::parse(text);
+      if (!spec) continue;
+      for (const PackageRecord& one : built_here)
+        if (spec->exact_name() == one.name) needed.insert(one.name + " " + one.version);
+    }
+  }
+  return {needed.begin(), needed.end()};
+}
+
 bool is_among(const std::string& name, const std::vector<PackageRecord>& packages) {
   return std::any_of(packages.begin(), packages.end(),
                      [&name](const PackageRecord& record) { return record.name == name; });
@@ -239,6 +255,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   if (!unknown.empty()) return unknown;
   Lock lock{.channels = index.channels,
             .absent = rest.absent,
+            .built_here = needed_here(resolution->packages, index.built_here),
             .packages = resolution->packages,
             .sources = rest.sources,
             .wheels = rest.wheels,

@@ -47,7 +47,7 @@ struct Found {
 /// followed; one that leads out of its folder finds nothing, also when it is changed meanwhile.
 [[nodiscard]] Found find_served(const ServedPlace& place, const std::string& path);
 
-/// The file beside it whose name has this ending too; a link is none.
+/// The file beside it whose name has this ending too. Links are not followed.
 [[nodiscard]] Found form_beside(const Found& found, std::string_view ending);
 
 }  // namespace ros2wasm

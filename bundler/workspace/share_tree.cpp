@@ -41,8 +41,7 @@ bool is_for_builds(const fs::path& path) {
            (has(kShellFolders, first) && has(kShellEndings, ending)) ||
            (has(kInterfaceFolders, first) && has(kInterfaceEndings, ending));
   }
-  return first == "package.xml" || first == "copyright" ||
-         (has(kShellEndings, ending) && has(kShellStems, path.stem().string()));
+  return first == "package.xml" || first == "copyright" || sets_up_shell(path);
 }
 
 /// Launch files of Gazebo read in package.xml where the package has models, also in the site:
@@ -76,6 +75,10 @@ Outcome<Done> add_file(const fs::path& prefix, const std::string& path, SharedFi
 }
 
 }  // namespace
+
+bool sets_up_shell(const fs::path& name) {
+  return has(kShellEndings, name.extension().string()) && has(kShellStems, name.stem().string());
+}
 
 Outcome<std::vector<std::string>> collect_shared_files(const fs::path& prefix,
                                                        const std::string& package,

@@ -14,6 +14,10 @@ namespace ros2wasm {
 /// Bytes by path below the prefix: "share/demo/config/gains.yaml".
 using SharedFiles = std::map<std::string, std::string>;
 
+/// Whether a file directly in share/<package>/ sets up a shell (`local_setup.sh`, `package.dsv`).
+/// Environment hooks are in folders: they are read for launch files.
+[[nodiscard]] bool sets_up_shell(const std::filesystem::path& name);
+
 /// Adds what `package` has in share/<package>/ of `prefix` and its own resources in the ament
 /// index, without what only builds need (CMake files, shell hooks, interface definitions) and
 /// without what cannot come along, of which it says for people what and why. A file that is known

@@ -294,7 +294,9 @@ launch:
   const fits = await add('>=1');
   assert.equal(fits.code, 0, fits.stderr);
   assert.doesNotMatch(ws.read('with_plan/ros2wasm.lock').toString(), /name: ros-jazzy-room-msgs/);
+  assert.match(ws.read('with_plan/ros2wasm.lock').toString(), /^built_here:\n {2}- ros-jazzy-room-msgs 1\.2\.3$/m);
   assert.equal((await ws.run(['pack', 'with_plan', '-o', 'plan_site', '--frozen'])).code, 0);
+  assert.match(await succeeds('inspect', 'lock', 'with_plan/ros2wasm.lock'), /"faults":\[\]/);
   const refused = await add('>=2');
   assert.equal(refused.code, 1);
   assert.match(refused.stderr, /R2W0301[\s\S]*ros-jazzy-room-msgs >=2/);
@@ -318,6 +320,12 @@ test('a .repos file, and packages of a distribution by name, become a channel wi
     assert.equal(all.report.added, 4);
     assert.match(all.report.packages[0]?.source ?? '', new RegExp(`/room@${commit}`));
     assert.match(ws.read('of_repos/ros2wasm.lock').toString(), new RegExp(commit));
+    const asked = server.requests();
+    const again = await build('course.repos', '-o', 'of_repos', '--locked', '--offline');
+    assert.deepEqual([again.code, again.report.unchanged, server.requests()], [0, 4, asked], again.stderr);
+    const other = await ws.run(['channel', 'build', 'course.repos', '-o', 'not_locked', '--locked']);
+    assert.equal(other.code, 1);
+    assert.match(other.stderr, /R2W0311/);
     ws.write('distribution.yaml', `%YAML 1.1
 ---
 release_platforms: {ubuntu: [noble]}

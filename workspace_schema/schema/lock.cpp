@@ -99,6 +99,7 @@ std::string write_lock(const Lock& lock) {
   specs.erase(std::unique(specs.begin(), specs.end()), specs.end());
   put_list(out, "", "specs", specs);
   put_list(out, "", "absent", lock.absent);
+  put_list(out, "", "built_here", lock.built_here);
   std::vector<const PackageRecord*> packages;
   for (const PackageRecord& record : lock.packages) packages.push_back(&record);
   std::sort(packages.begin(), packages.end(),

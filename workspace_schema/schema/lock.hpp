@@ -57,6 +57,8 @@ struct Lock {
   /// The names that no channel had, sorted: packages that need one of these to be built are
   /// skipped.
   std::vector<std::string> absent;
+  /// Packages of the workspace that packages of channels need, "ros-jazzy-arm-msgs 0.3.0", sorted.
+  std::vector<std::string> built_here;
   std::vector<PackageRecord> packages;   ///< sorted by name
   std::vector<LockedSource> sources;     ///< sorted by place and revision
   std::vector<LockedWheel> wheels;       ///< sorted by project

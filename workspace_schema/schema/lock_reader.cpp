@@ -119,6 +119,7 @@ class Reader {
          {"channels", [&](const YamlNode& node) { texts(node, lock.channels); }},
          {"specs", [&](const YamlNode& node) { texts(node, lock.specs); }},
          {"absent", [&](const YamlNode& node) { texts(node, lock.absent); }},
+         {"built_here", [&](const YamlNode& node) { texts(node, lock.built_here); }},
          {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }},
          {"sources", [&](const YamlNode& node) { read_sources(node, lock.sources); }},
          {"wheels", [&](const YamlNode& node) { read_wheels(node, lock.wheels); }},

@@ -87,17 +87,19 @@ TEST_F(MovableTreeTest, APlaceBehindALinkIsKnownInBothSpellings) {
 TEST_F(MovableTreeTest, ScriptsForShellsAndNotesOfTheBuildAreSkipped) {
   for (const char* path :
        {".ros2wasm-complete", "lib/arm/driver.left_out", "share/arm/local_setup.sh",
-        "share/arm/package.dsv", "share/arm/environment/path.sh",
-        "share/ament_index/resource_index/parent_prefix_path/arm"})
+        "share/arm/package.dsv", "share/ament_index/resource_index/parent_prefix_path/arm"})
     write(path, "x");
   write("share/arm/config/package.dsv", "kept");
+  write("share/arm/environment/models.dsv",
+        "prepend-non-duplicate;GAZEBO_MODEL_PATH;share/arm/models");
   ASSERT_TRUE(make());
   const auto files = list_tree(to());
   ASSERT_TRUE(files);
   std::vector<std::string> paths;
   for (const TreeEntry& one : *files) paths.push_back(one.path);
-  EXPECT_EQ(paths,
-            (std::vector<std::string>{"share/arm/config/package.dsv", "share/arm/package.xml"}));
+  EXPECT_EQ(paths, (std::vector<std::string>{"share/arm/config/package.dsv",
+                                             "share/arm/environment/models.dsv",
+                                             "share/arm/package.xml"}));
 }
 
 TEST_F(MovableTreeTest, KitsNameFilesByTheirPlace) {

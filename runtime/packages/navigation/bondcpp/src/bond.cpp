@@ -20,13 +20,16 @@ constexpr std::size_t kStatusesHeard = 100;
 /// A random UUID (version 4) as text.
 std::string make_uuid() {
   constexpr char kDigits[] = "0123456789abcdef";
-  constexpr char kForm[] = "xxxxxxxx-xxxx-4xxx-yxxx-xxxxxxxxxxxx";
+  constexpr std::size_t kLength = 36;
+  constexpr std::size_t kVersion = 14;
+  constexpr std::size_t kVariant = 19;
   std::random_device device;
-  std::string uuid = kForm;
-  for (char& letter : uuid) {
-    if (letter == 'x') letter = kDigits[device() % 16];
-    if (letter == 'y') letter = kDigits[8 + device() % 4];
+  std::string uuid(kLength, '-');
+  for (std::size_t i = 0; i < kLength; ++i) {
+    if (i == 8 || i == 13 || i == 18 || i == 23) continue;
+    uuid[i] = kDigits[i == kVariant ? 8 + device() % 4 : device() % 16];
   }
+  uuid[kVersion] = '4';
   return uuid;
 }
 
@@ -52,6 +55,7 @@ Bond::Bond(const std::string& topic, const std::string& id,
     : node_base_(std::move(node_base)),
       node_logging_(std::move(node_logging)),
       node_timers_(std::move(node_timers)),
+      node_topics_(std::move(node_topics)),
       callback_group_(std::move(callback_group)),
       topic_(topic),
       id_(id),
@@ -65,12 +69,22 @@ Bond::Bond(const std::string& topic, const std::string& id,
   ignores_silence_ = node_params->get_parameter(parameter).as_bool();
   setupConnections();
   publisher_ = rclcpp::create_publisher<bond::msg::Status>(
-      node_topics, topic_, rclcpp::QoS(rclcpp::KeepLast(kStatusesSent)));
+      node_topics_, topic_, rclcpp::QoS(rclcpp::KeepLast(kStatusesSent)));
+}
+
+/// Another thread may run a callback while the last owner lets go: a bond that is shared is then
+/// kept until the callback ends, and one that is gone is not called.
+void Bond::subscribe() {
   rclcpp::SubscriptionOptions options;
   options.callback_group = callback_group_;
+  const bool is_shared = !weak_from_this().expired();
   subscription_ = rclcpp::create_subscription<bond::msg::Status>(
-      node_topics, topic_, rclcpp::QoS(kStatusesHeard),
-      [this](const bond::msg::Status& status) { receive(status); }, options);
+      node_topics_, topic_, rclcpp::QoS(kStatusesHeard),
+      [this, is_shared, weak = weak_from_this()](const bond::msg::Status& status) {
+        const auto self = weak.lock();
+        if (self || !is_shared) receive(status);
+      },
+      options);
 }
 
 Bond::Bond(const std::string& topic, const std::string& id,
@@ -133,7 +147,12 @@ void Bond::setDeadPublishPeriod(double dur) {
 }
 
 rclcpp::TimerBase::SharedPtr Bond::make_timer(double period_s, std::function<void()> callback) {
-  return rclcpp::create_wall_timer(nanoseconds_of(period_s), std::move(callback), callback_group_,
+  const bool is_shared = !weak_from_this().expired();
+  const auto call = [is_shared, weak = weak_from_this(), callback = std::move(callback)] {
+    const auto self = weak.lock();
+    if (self || !is_shared) callback();
+  };
+  return rclcpp::create_wall_timer(nanoseconds_of(period_s), call, callback_group_,
                                    node_base_.get(), node_timers_.get());
 }
 
@@ -187,6 +206,7 @@ void Bond::deadpublishingTimerCancel() {
 }
 
 void Bond::start() {
+  subscribe();
   connectTimerReset();
   publishingTimerReset();
   started_ = true;
@@ -271,8 +291,6 @@ void Bond::happen(Event event) {
 
 void Bond::receive(const bond::msg::Status& status) {
   if (!started_ || status.id != id_ || status.instance_id == instance_id_) return;
-  // A callback may let go of the bond.
-  const auto self = weak_from_this().lock();
   happen(status.active ? Event::kSisterAlive : Event::kSisterDead);
   if (!status.active && sister_left()) publish_status(false);
 }

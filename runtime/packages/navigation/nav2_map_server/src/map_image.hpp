@@ -30,7 +30,7 @@ constexpr std::uint8_t lightness(std::uint32_t red, std::uint32_t green, std::ui
 /// Throws std::runtime_error when an image of that size has more than kMostPixels, or none.
 void check_size(std::size_t width, std::size_t height);
 
-/// Reads PGM, PPM or PBM (P1 to P6), PNG or BMP, told by their first bytes. Throws
+/// Reads PGM, PPM or PBM (P1 to P6), PNG or BMP, recognised by their first bytes. Throws
 /// std::runtime_error for any other and for a broken one.
 MapImage read_image(const std::string& bytes);
 /// One of the three portable formats.

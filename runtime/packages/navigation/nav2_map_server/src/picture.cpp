@@ -68,6 +68,10 @@ void check_header(const std::string& bytes) {
   const bool is_png = bytes[0] != 'B';
   constexpr std::size_t kPngWidth = 16;
   constexpr std::size_t kBmpWidth = 18;
+  // The oldest header of BMP has sizes of 16 bits, which stb reads before they are checked.
+  constexpr std::size_t kBmpHeaderSize = 14;
+  constexpr std::uint32_t kOldestHeader = 12;
+  if (!is_png && number_at(bytes, kBmpHeaderSize, false) == kOldestHeader) return;
   const std::size_t at = is_png ? kPngWidth : kBmpWidth;
   const std::uint32_t width = number_at(bytes, at, is_png);
   const std::uint32_t height = number_at(bytes, at + 4, is_png);

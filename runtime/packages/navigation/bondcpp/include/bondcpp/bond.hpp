@@ -1,4 +1,4 @@
-// A bond: two nodes send each other heartbeats on a topic, and each is told when the other one ends
+// A bond: two nodes send each other heartbeats on a topic, and each notices when the other one ends
 // or goes silent. Both ends have the same topic and id.
 #pragma once
 
@@ -106,10 +106,12 @@ class Bond : public std::enable_shared_from_this<Bond> {
   void run_callbacks();
   bool wait_for(const std::function<bool(State)>& is_reached, rclcpp::Duration timeout);
   rclcpp::TimerBase::SharedPtr make_timer(double period_s, std::function<void()> callback);
+  void subscribe();
 
   const rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_base_;
   const rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr node_logging_;
   const rclcpp::node_interfaces::NodeTimersInterface::SharedPtr node_timers_;
+  const rclcpp::node_interfaces::NodeTopicsInterface::SharedPtr node_topics_;
   const rclcpp::CallbackGroup::SharedPtr callback_group_;
   const std::string topic_;
   const std::string id_;

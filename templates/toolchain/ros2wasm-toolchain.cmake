@@ -65,11 +65,26 @@ set(CMAKE_CXX_BYTE_ORDER LITTLE_ENDIAN)
 set(EMSCRIPTEN 1)
 
 # --- flags: everything is compiled once, whichever way it is linked later ------------------------
+# No file of a package names this machine: sources, the build, and the folders with installed packages, whose headers
+# say their place by __FILE__.
+set(_ros2wasm_places "")
+foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
+  get_filename_component(_place "${_prefix}" DIRECTORY)
+  if(NOT _place STREQUAL "/")
+    list(APPEND _ros2wasm_places "${_place}")
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES _ros2wasm_places)
+set(_ros2wasm_maps "")
+foreach(_place IN LISTS _ros2wasm_places)
+  string(APPEND _ros2wasm_maps "\"-ffile-prefix-map=${_place}=installed\" ")
+endforeach()
 # The forced include gives libunwind's landing pad context its thread-local declaration; without it
 # typed catches fail in programs with threads. For -Os and -Oz the driver has nothing inlined, leaving that to the
 # optimizer behind the linker: then each program has thousands of tiny functions to link and optimize, for more bytes.
 string(CONCAT _ros2wasm_flags "-fwasm-exceptions -pthread -finline-functions "
   "-include \"${ROS2WASM_TOOLCHAIN_DIR}/include/ros2wasm/exception_context.h\" "
+  "${_ros2wasm_maps}"
   "\"-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.\" \"-ffile-prefix-map=${CMAKE_BINARY_DIR}=build\"")
 # `long` has 32 bits here. What that would change without a word is said: an argument that a format would read by half (in
 # C++ the overloads of ros2wasm_std read it whole, so this is about C and functions of the package with `...`) is an error,

@@ -29,6 +29,7 @@ class Shape {
   virtual ~Shape() = default;
   virtual double area() = 0;
 };
+inline const char* file() { return __FILE__; }
 }
 `;
 const SHOW = `#include <cstdio>
@@ -45,6 +46,7 @@ const DRIVER = `#include <fstream>
 #include <ament_index_cpp/get_package_share_directory.hpp>
 #include <rclcpp/rclcpp.hpp>
 #include <room_msgs/msg/room.hpp>
+#include <room_shapes/shape.hpp>
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   auto node = std::make_shared<rclcpp::Node>("driver");
@@ -52,6 +54,7 @@ int main(int argc, char** argv) {
   room_msgs::msg::Room message;
   std::ifstream(ament_index_cpp::get_package_share_directory("room_driver") + "/config/area.txt") >> message.area;
   publisher->publish(message);
+  RCLCPP_INFO(node->get_logger(), "shapes are of %s", room_shapes::file());
   rclcpp::spin(node);
 }
 `;
@@ -80,11 +83,12 @@ function addPackages(): void {
   ws.write('src/room_msgs/msg/Room.msg', 'float64 area\n');
   ws.write('src/room_msgs/LICENSE', 'Redistribution and use in source and binary forms are permitted.\n');
   ws.addPackage('room_driver', { driver: DRIVER }, {
-    depends: ['rclcpp', 'room_msgs', 'ament_index_cpp'],
+    depends: ['rclcpp', 'room_msgs', 'room_shapes', 'ament_index_cpp'],
     cmake: `find_package(rclcpp REQUIRED)
 find_package(room_msgs REQUIRED)
+find_package(room_shapes REQUIRED)
 find_package(ament_index_cpp REQUIRED)
-ament_target_dependencies(driver rclcpp room_msgs ament_index_cpp)
+ament_target_dependencies(driver rclcpp room_msgs room_shapes ament_index_cpp)
 install(DIRECTORY config DESTINATION share/\${PROJECT_NAME})`,
   });
   ws.write('src/room_driver/config/area.txt', '12.5\n');
@@ -283,7 +287,7 @@ test('a package of a channel may need one that only the workspace has, in the ve
     await succeeds('channel', 'index', `plans${version.slice(2)}`);
     ws.write('with_plan/workspace.yaml', `schema: 1
 name: lab
-packages: [../src/room_msgs, ../src/room_driver]
+packages: [../src/room_msgs, ../src/room_driver, ../src/room_shapes]
 channels: [../plans${version.slice(2)}, embedded]
 dependencies: [room_plan]
 launch:

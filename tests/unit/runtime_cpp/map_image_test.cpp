@@ -113,6 +113,20 @@ TEST(MapImage, ReadsWhatItWrites) {
   EXPECT_EQ(clear.alpha, checkered(true).alpha);
 }
 
+// The header of OS/2: sizes of 16 bits. Two pixels, white and black, from the bottom.
+TEST(MapImage, ReadsTheOldestHeaderOfBmp) {
+  const std::string bmp =
+      "BM\x22\0\0\0\0\0\0\0\x1a\0\0\0\x0c\0\0\0\x02\0\x01\0\x01\0\x18\0"
+      "\xff\xff\xff\0\0\0\0\0"s;
+  const MapImage image = read_image(bmp);
+  EXPECT_EQ(image.width, 2U);
+  EXPECT_EQ(image.height, 1U);
+  EXPECT_EQ(image.gray, (std::vector<std::uint8_t>{255, 0}));
+  std::string wide = bmp;
+  wide[18] = wide[19] = wide[20] = wide[21] = '\xff';
+  EXPECT_NE(error_of(wide), "");
+}
+
 TEST(MapImage, RefusesPicturesThatEndEarlyOrClaimTooMuch) {
   const std::string png = written_image(checkered(true), "png");
   for (std::size_t size = 0; size + 12 < png.size(); ++size) {

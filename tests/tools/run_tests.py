@@ -2,12 +2,13 @@
 """Runs every test suite of the project and ends with the counts.
 
 A suite is one row: a name, a command and how its result is counted. Suites that leave a core idle run three at
-a time, then the others one by one. A suite that runs no test counts as a failure, and so does a skipped test:
-neither may pass for tested. Tests that wait for browsers and clocks share a machine with others, so the few
-that fail are run once more by themselves, and named: a test that fails twice has failed. On a machine that is
-too slow for all files of e2e and browser in the time that a run may take, those that were not begun are listed:
-they count for nothing. Which ones these are changes from commit to commit. A nightly run (ROS2WASM_NIGHTLY=1)
-also fuzzes, and plays scenes on every link and in every host: the tests that import tests/support/nightly.ts.
+a time, then the others one by one, then the files of e2e and browser. A suite that runs no test counts as a
+failure, and so does a skipped test: neither may pass for tested. Tests that wait for browsers and clocks share
+a machine with others, so the few that fail are run once more by themselves, and named: a test that fails twice
+has failed. On a machine that is too slow for all files of e2e and browser in the time that a run may take,
+those that were not begun are listed: they count for nothing. Which ones these are changes from commit to
+commit. A nightly run (ROS2WASM_NIGHTLY=1) also fuzzes, and plays scenes on every link and in every host: the
+tests that import tests/support/nightly.ts.
 """
 from __future__ import annotations
 
@@ -35,7 +36,7 @@ SECOND_TRIES = 8
 TOGETHER = 3
 # Tests that are listed at the end of a run.
 SLOWEST = 20
-# Files of e2e that take a minute or more. They begin first, so that no core is idle at the end of a suite.
+# Files of e2e and browser that take a minute or more. They begin first, so that no core is idle at the end.
 LONGEST = ("scoreboard", "page_every_panel", "libraries", "python_stop", "precompressed", "package", "tabs",
            "python_image", "same_bytes", "page_keyboard_site", "rclcpp", "cross_language", "page_scene", "pack_trouble",
            "direct_link", "launch_components", "site_time", "python", "rebuild", "watch", "tutorial_programs",
@@ -45,11 +46,12 @@ MOST_SECONDS = 1200
 # How long it may take to answer before it is killed.
 LAST_WORDS_SECONDS = 20
 NIGHTLY = os.environ.get("ROS2WASM_NIGHTLY") == "1"
-# An ordinary run begins no further files after so many minutes, counted from the start of ./dev (seconds since 1970).
-MOST_MINUTES = 74
+# An ordinary run begins no further file of e2e and browser after so many minutes, counted from the start of ./dev
+# (seconds since 1970).
+MOST_MINUTES = 76
 BEGAN = float(os.environ.get("ROS2WASM_TEST_BEGAN") or time.time())
-# Files of the long suites that are run by one call of Node.js.
-FILES_AT_ONCE = 24
+# Files of e2e and browser at a time: more than there are cores, for tests also wait, for browsers and for time to pass.
+FILES_TOGETHER = 3
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,7 @@ class Suite:
     nightly: bool = False  # runs in a nightly run, and when it is asked for
     most_seconds: float = MOST_SECONDS
     not_run: str = ""  # why it cannot run on this machine: said in a line; a failure when it was asked for
-    files: tuple[str, ...] = ()  # test files behind the command; run in parts, while there is time
+    files: tuple[str, ...] = ()  # test files behind the command, each run by itself, while there is time
 
 
 @dataclass(frozen=True)
@@ -167,15 +169,10 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     def tests_of(folder: str) -> list[Path]:
         return sorted((ROOT / "tests" / folder).rglob("*.test.ts"))
 
-    # More files at a time than there are cores: tests also wait, for browsers and for time to pass.
-    def node(files: list[Path], at_a_time: int = 3) -> list[str]:
-        return ["node", "--test", f"--test-concurrency={at_a_time}", *map(str, files)]
+    def node(files: list[Path]) -> list[str]:
+        return ["node", "--test", f"--test-concurrency={FILES_TOGETHER}", *map(str, files)]
 
-    def rank(test: Path) -> int:
-        name = test.name.removesuffix(".test.ts")
-        return LONGEST.index(name) if name in LONGEST else len(LONGEST)
-
-    ends = sorted(tests_of("e2e"), key=rank)
+    ends = tests_of("e2e")
     browser = [file for file in ends if opens_browser(file)]
     rows = [
         Suite("fuzz", [sys.executable, "tests/fuzz/run.py"], "lines", alone=True, nightly=True,
@@ -201,22 +198,28 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         Suite("conformance", node(tests_of("conformance")), "node", alone=True),
         Suite("e2e", node([]), "node", alone=True,
               files=tuple(str(file) for file in ends if file not in browser)),
-        Suite("browser", node([], 4), "node", alone=True, files=tuple(map(str, browser))),
+        Suite("browser", node([]), "node", alone=True, files=tuple(map(str, browser))),
     ]
     return rows
 
 
-def parts_of(suite: Suite) -> list[Suite]:
-    """The suite in parts of some files each, in an order that changes with the commit. In a part the long ones stay
-    first."""
+def part_of(suite: Suite, file: str) -> Suite:
+    """One file of a long suite, as a suite."""
+    name = Path(file).name.removesuffix(".test.ts")
+    return replace(suite, name=f"{suite.name}-{name}", command=[*suite.command, file], files=(file,))
+
+
+def in_order(long_suites: list[Suite]) -> list[tuple[Suite, str]]:
+    """The files of these suites: the long ones, then the others in an order that changes with the commit."""
     said = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False)
     commit = said.stdout
-    files = sorted(suite.files, key=lambda file: hashlib.sha256((commit + file).encode()).hexdigest())
-    rank = {file: place for place, file in enumerate(suite.files)}
-    parts = [sorted(files[at:at + FILES_AT_ONCE], key=lambda file: rank[file])
-             for at in range(0, len(files), FILES_AT_ONCE)]
-    return [replace(suite, name=f"{suite.name}-{number}", command=[*suite.command, *part], files=tuple(part))
-            for number, part in enumerate(parts, 1)]
+
+    def place(pair: tuple[Suite, str]) -> tuple[int, str]:
+        name = Path(pair[1]).name.removesuffix(".test.ts")
+        rank = LONGEST.index(name) if name in LONGEST else len(LONGEST)
+        return rank, hashlib.sha256((commit + pair[1]).encode()).hexdigest()
+
+    return sorted(((suite, file) for suite in long_suites for file in suite.files), key=place)
 
 
 def is_late() -> bool:
@@ -306,31 +309,11 @@ def tried_again(suite: Suite, report: Path, output: str, environment: dict[str, 
     return Counts(first.passed + len(failed), 0, first.skipped, tuple(case.name for case in failed))
 
 
-def run_in_parts(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
-    began = time.monotonic()
-    all_counts = Counts(0, 0)
-    for part in parts_of(suite):
-        if is_late():
-            all_counts = replace(all_counts, not_begun=(*all_counts.not_begun, *part.files))
-            continue
-        counts = run(part, build, environment)
-        all_counts = replace(
-            all_counts, passed=all_counts.passed + counts.passed, failed=all_counts.failed + counts.failed,
-            skipped=all_counts.skipped + counts.skipped, again=(*all_counts.again, *counts.again))
-    if all_counts.not_begun:
-        print(f"{suite.name}: not begun, for there was no time: {len(all_counts.not_begun)} of "
-              f"{len(suite.files)} files", flush=True)
-        if all_counts.passed == 0:
-            all_counts = replace(all_counts, failed=all_counts.failed + 1)
-    print(f"{suite.name:12} {all_counts.passed:5} passed, {all_counts.failed} failed in all", flush=True)
-    return replace(all_counts, seconds=time.monotonic() - began)
-
-
-def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
-    report = build / "test-reports" / f"{suite.name}.xml"
+def first_try(suite: Suite, build: Path, environment: dict[str, str]) -> tuple[Counts, str]:
+    """Runs the suite once; what it printed is shown when it failed."""
+    report = report_of(suite, build)
     report.parent.mkdir(parents=True, exist_ok=True)
     report.unlink(missing_ok=True)
-    began = time.monotonic()
     code, said = started(with_report(suite, suite.command, report), environment, report.with_suffix(".log"),
                          suite.most_seconds)
     counts = counts_of(suite, report, said)
@@ -341,13 +324,72 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
         counts = Counts(0, 1)
     if counts.failed:
         print(said[-12000:], flush=True)
-        counts = tried_again(suite, report, said, environment, counts)
-    seconds = time.monotonic() - began
+    return counts, said
+
+
+def report_of(suite: Suite, build: Path) -> Path:
+    return build / "test-reports" / f"{suite.name}.xml"
+
+
+def say_counts(suite: Suite, counts: Counts) -> None:
     skipped = f", {counts.skipped} skipped" if counts.skipped else ""
     again = f", {len(counts.again)} at the second try" if counts.again else ""
-    print(f"{suite.name:12} {counts.passed:5} passed, {counts.failed} failed{skipped}{again} ({seconds:.1f} s)",
+    print(f"{suite.name:12} {counts.passed:5} passed, {counts.failed} failed{skipped}{again} ({counts.seconds:.1f} s)",
           flush=True)
-    return replace(counts, seconds=seconds)
+
+
+def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
+    began = time.monotonic()
+    counts, said = first_try(suite, build, environment)
+    if counts.failed:
+        counts = tried_again(suite, report_of(suite, build), said, environment, counts)
+    counts = replace(counts, seconds=time.monotonic() - began)
+    say_counts(suite, counts)
+    return counts
+
+
+def sum_of(all_counts: list[Counts]) -> Counts:
+    return Counts(
+        sum(counts.passed for counts in all_counts), sum(counts.failed for counts in all_counts),
+        sum(counts.skipped for counts in all_counts), tuple(name for counts in all_counts for name in counts.again),
+        sum(counts.seconds for counts in all_counts), tuple(file for counts in all_counts for file in counts.not_begun))
+
+
+def run_files(long_suites: list[Suite], build: Path, environment: dict[str, str]) -> list[Counts]:
+    """Runs the files of these suites beside each other, each by a process of its own, while there is time."""
+
+    def one(pair: tuple[Suite, str]) -> Counts:
+        suite, file = pair
+        if is_late():
+            return Counts(0, 0, not_begun=(file,))
+        began = time.monotonic()
+        counts, _ = first_try(part_of(suite, file), build, environment)
+        return replace(counts, seconds=time.monotonic() - began)
+
+    pairs = in_order(long_suites)
+    with ThreadPoolExecutor(max_workers=FILES_TOGETHER) as pool:
+        ran = list(zip(pairs, pool.map(one, pairs), strict=True))
+    return [counts_of_files(suite, [(file, counts) for (owner, file), counts in ran if owner is suite], build,
+                            environment) for suite in long_suites]
+
+
+def counts_of_files(suite: Suite, ran: list[tuple[str, Counts]], build: Path, environment: dict[str, str]) -> Counts:
+    """The counts of a suite whose files have run, after those that failed have been run once more by themselves."""
+    failed = [file for file, counts in ran if counts.failed]
+    after = []
+    for file, counts in ran:
+        part = part_of(suite, file)
+        if counts.failed and len(failed) <= SECOND_TRIES:
+            counts = replace(tried_again(part, report_of(part, build), "", environment, counts), seconds=counts.seconds)
+        after.append(counts)
+    counts = sum_of(after)
+    if counts.not_begun:
+        print(f"{suite.name}: not begun, for there was no time: {len(counts.not_begun)} of {len(suite.files)} files",
+              flush=True)
+        if counts.passed == 0:
+            counts = replace(counts, failed=counts.failed + 1)
+    say_counts(suite, counts)
+    return counts
 
 
 def main() -> int:
@@ -374,15 +416,17 @@ def main() -> int:
         if suite.not_run:
             print(f"{suite.name:12} not run: {suite.not_run}", flush=True)
             return Counts(0, 1 if options.filter else 0)
-        return (run_in_parts if suite.files else run)(suite, build, environment)
+        return run(suite, build, environment)
 
     pairs = [suite for suite in chosen if not suite.alone]
-    alone = [suite for suite in chosen if suite.alone]
+    alone = [suite for suite in chosen if suite.alone and not suite.files]
+    by_file = [suite for suite in chosen if suite.files]
     with ThreadPoolExecutor(max_workers=TOGETHER) as pool:
         results = [*pool.map(result, pairs), *map(result, alone)]
+    results += run_files(by_file, build, environment)
     passed = sum(r.passed for r in results)
     failed = sum(r.failed + r.skipped for r in results)
-    ran = list(zip(pairs + alone, results, strict=True))
+    ran = list(zip(pairs + alone + by_file, results, strict=True))
     print("\nslowest tests (s):")
     reports = [report for suite, _ in ran for report in sorted((build / "test-reports").glob(f"{suite.name}*.xml"))]
     for seconds, name in slowest(reports):

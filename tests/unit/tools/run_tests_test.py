@@ -8,12 +8,13 @@ import subprocess
 import tempfile
 import time
 import unittest
+from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
 from tests.tools import run_tests
-from tests.tools.run_tests import (LONGEST, ROOT, SECOND_TRIES, Counts, Suite, chosen_of, opens_browser, parts_of, run,
-                                   run_in_parts, suites)
+from tests.tools.run_tests import (LONGEST, ROOT, SECOND_TRIES, Counts, Suite, chosen_of, in_order, opens_browser, run,
+                                   run_files, suites)
 
 # Fails as long as there are fewer than `needed` lines in the file beside it, and adds one.
 FAILS_AT_FIRST = """
@@ -83,15 +84,9 @@ class SuitesTest(unittest.TestCase):
                                "pack": False, "rclcpp": False}.items():
             self.assertEqual(opens_browser(ROOT / "tests" / "e2e" / f"{name}.test.ts"), expected, name)
 
-    def test_the_longest_files_exist_and_begin_first(self) -> None:
+    def test_the_longest_files_exist(self) -> None:
         for name in LONGEST:
             self.assertTrue((ROOT / "tests" / "e2e" / f"{name}.test.ts").is_file(), name)
-        for suite in suites(ROOT / "build", bless=False):
-            if suite.name not in ("e2e", "browser"):
-                continue
-            files = [Path(word).name.removesuffix(".test.ts") for word in suite.files]
-            longest = [name for name in LONGEST if name in files]
-            self.assertEqual(files[:len(longest)], longest, suite.name)
 
     def test_every_test_file_is_in_one_suite(self) -> None:
         words = [word for suite in suites(ROOT / "build", bless=False) for word in (*suite.command, *suite.files)]
@@ -134,48 +129,66 @@ class NightlyTest(unittest.TestCase):
                 self.assertEqual("large" in said, has_test, said)
 
 
-FILES = tuple(str(ROOT / "tests" / "e2e" / f"{number:02}.test.ts") for number in range(60))
-SUITE = Suite("e2e", ["node", "--test"], "node", alone=True, files=FILES)
+def sample(name: str, numbers: range) -> Suite:
+    files = tuple(str(ROOT / "tests" / "e2e" / f"{number:02}.test.ts") for number in numbers)
+    return Suite(name, ["node", "--test"], "node", alone=True, files=files)
 
 
-class PartsTest(unittest.TestCase):
-    def test_each_file_is_in_one_part_and_the_long_ones_come_first_in_it(self) -> None:
-        parts = parts_of(SUITE)
-        self.assertEqual(sorted(file for part in parts for file in part.files), sorted(FILES))
-        self.assertEqual([part.name for part in parts], ["e2e-1", "e2e-2", "e2e-3"])
-        for part in parts:
-            self.assertEqual(list(part.files), sorted(part.files))
-            self.assertEqual(part.command, ["node", "--test", *part.files])
-        self.assertNotEqual(parts[0].files, FILES[:len(parts[0].files)])
+E2E = sample("e2e", range(40))
+BROWSER = sample("browser", range(40, 60))
 
-    def counts(self, minutes: float, outcome: Counts) -> tuple[Counts, str]:
-        """Runs the suite when so many minutes have passed; each part takes two."""
+
+class FilesTest(unittest.TestCase):
+    def test_the_files_of_two_suites_are_mixed_and_the_long_ones_begin(self) -> None:
+        long = replace(BROWSER, files=(*BROWSER.files, str(ROOT / "tests/e2e/scoreboard.test.ts")))
+        order = in_order([E2E, long])
+        self.assertEqual(sorted(file for _, file in order), sorted([*E2E.files, *long.files]))
+        self.assertEqual(Path(order[0][1]).name, "scoreboard.test.ts")
+        self.assertEqual({suite.name for suite, _ in order[1:12]}, {"e2e", "browser"})
+
+    def counts(self, minutes: float, outcome: Counts) -> tuple[list[Counts], str]:
+        """Runs both suites when so many minutes have passed; each file takes one, and one runs at a time."""
         began = [time.time() - 60 * minutes]
 
-        def one(*_: object) -> Counts:
-            began[0] -= 120
+        def one(*_: object) -> tuple[Counts, str]:
+            began[0] -= 60
             run_tests.BEGAN = began[0]
-            return outcome
+            return outcome, ""
 
         said = io.StringIO()
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(run_tests, "BEGAN", began[0]), \
-                mock.patch.object(run_tests, "NIGHTLY", False), mock.patch.object(run_tests, "run", one), \
-                contextlib.redirect_stdout(said):
-            return run_in_parts(SUITE, Path(folder), {}), said.getvalue()
+                mock.patch.object(run_tests, "NIGHTLY", False), mock.patch.object(run_tests, "first_try", one), \
+                mock.patch.object(run_tests, "FILES_TOGETHER", 1), contextlib.redirect_stdout(said):
+            return run_files([E2E, BROWSER], Path(folder), {}), said.getvalue()
 
-    def test_all_parts_run_while_there_is_time(self) -> None:
-        counts, said = self.counts(10, Counts(5, 1, again=("flaky",)))
-        self.assertEqual((counts.passed, counts.failed, counts.again, counts.not_begun), (15, 3, ("flaky",) * 3, ()))
+    def test_all_files_run_while_there_is_time(self) -> None:
+        counts, said = self.counts(10, Counts(5, 0))
+        self.assertEqual([(each.passed, each.failed, each.not_begun) for each in counts], [(200, 0, ()), (100, 0, ())])
         self.assertNotIn("not begun", said)
 
     def test_files_without_time_are_listed_and_count_for_nothing(self) -> None:
-        counts, said = self.counts(run_tests.MOST_MINUTES - 3, Counts(5, 0))
-        self.assertEqual((counts.passed, counts.failed, len(counts.not_begun)), (10, 0, 12))
-        self.assertIn("not begun, for there was no time: 12 of 60 files", said)
+        counts, said = self.counts(run_tests.MOST_MINUTES - 29.5, Counts(5, 0))
+        self.assertEqual(sum(each.passed for each in counts), 150)
+        self.assertEqual(sum(len(each.not_begun) for each in counts), 30)
+        self.assertTrue(all(each.passed and each.not_begun for each in counts))
+        self.assertRegex(said, r"browser: not begun, for there was no time: \d+ of 20 files")
 
     def test_a_suite_of_which_nothing_ran_has_failed(self) -> None:
         counts, _ = self.counts(run_tests.MOST_MINUTES + 1, Counts(5, 0))
-        self.assertEqual((counts.passed, counts.failed, len(counts.not_begun)), (0, 1, 60))
+        self.assertEqual([(each.passed, each.failed, len(each.not_begun)) for each in counts], [(0, 1, 40), (0, 1, 20)])
+
+    def test_files_that_failed_are_run_once_more_after_all_others(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            files = []
+            for name, tries in {"shaky": 1, "calm": 0, "broken": 2}.items():
+                file = Path(folder) / f"{name}.test.mjs"
+                file.write_text(FAILS_AT_FIRST % {"name": name, "needed": tries})
+                files.append(str(file))
+            suite = Suite("sample", ["node", "--test"], "node", files=tuple(files))
+            said = io.StringIO()
+            with contextlib.redirect_stdout(said):
+                counts, = run_files([suite], Path(folder), environment())
+        self.assertEqual((counts.passed, counts.failed, counts.again), (5, 1, ("shaky",)))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 // Every panel on one packed site, with nodes of C++ and of Python: what each shows of them, and that it is fit for everyone:
-// axe-core in both themes, at 200 % zoom, on a phone; and no sink that Trusted Types guard but for workers. A picture of each is left in tests/output/panels.
+// axe-core in both themes, at 200 % zoom, on a phone; and no sink that Trusted Types guard but for workers. A picture of each is in
+// tests/output/panels; with ROS2WASM_BLESS=1, docs/images/panels gets those of docs/page.md.
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -16,6 +17,7 @@ import { pixels } from './scene_pixels.ts';
 import { Scratch, ServedSite } from './served_site.ts';
 
 const kOutput = fileURLToPath(new URL('../output/panels', import.meta.url));
+const kPictures = fileURLToPath(new URL('../../docs/images/panels', import.meta.url));
 const watchdog = { timeout: 900_000 };
 const scratch = new Scratch();
 const troubles: string[] = [];
@@ -276,6 +278,17 @@ function cutOff(): Promise<readonly string[]> {
   });
 }
 
+/** The picture of the panel for the documentation: as in a column of a page. */
+async function takePicture(id: string, panel: Locator): Promise<void> {
+  const usual = page.viewportSize();
+  await page.setViewportSize({ width: 760, height: 520 });
+  // Drawings follow the size in the next frames.
+  await page.waitForTimeout(1500);
+  mkdirSync(kPictures, { recursive: true });
+  await panel.screenshot({ path: join(kPictures, `${id}.png`) });
+  if (usual !== null) await page.setViewportSize(usual);
+}
+
 // Guarantee, hostile input: the page sets no markup from text: of what Trusted Types guard it uses nothing but the start
 // of workers
 const kViews = [
@@ -305,6 +318,7 @@ for (const { name, width, height, colorScheme } of kViews.filter(({ often }) => 
         wrong.push(`${id}: ${String(error)}`);
       }
       await page.screenshot({ path: join(kOutput, `${id}_${name}.png`) });
+      if (name === 'light' && process.env['ROS2WASM_BLESS'] === '1') await takePicture(id, panel);
     }
     assert.deepEqual(wrong, []);
     assert.deepEqual(troubles, []);

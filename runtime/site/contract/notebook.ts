@@ -1,5 +1,6 @@
 // The notebook of a page: its entry in site.json, and the messages between the page and its kernel.
 
+import { fileName } from './file_name.ts';
 import type { NodeState, ProgramNode, Unsubscribe } from './site_nodes.ts';
 
 /** As in site.json. Paths are relative to it. */
@@ -55,7 +56,7 @@ export const kernelId = 'notebook';
 
 /** The node that runs it. */
 export function kernelNode({ file, program, archives, libraries }: SiteNotebook): ProgramNode {
-  const name = file.slice(file.lastIndexOf('/') + 1);
+  const name = fileName(file);
   return {
     id: kernelId, package: '', executable: name, label: name, kind: 'python', program,
     python: { archives, ...(libraries === undefined ? {} : { libraries }), entry: 'ros2wasm.notebook:main' },

@@ -1,10 +1,10 @@
 // Completion of a line that begins with `ros2`: from the table of commands, and what the graph has.
 
+import { fileName } from '../contract/file_name.ts';
 import { expandName, fullTypeName } from '../decode/ros_names.ts';
 import type { GraphView, SiteDescription } from '../contract/session.ts';
 import type { Command, Meaning } from './command.ts';
 import { actionsOf, containersOf, servicesOf, shown, topicsOf } from './graph_lists.ts';
-import { baseName } from './launch_command.ts';
 import { findOption, splitLine } from './parse.ts';
 import { commands } from './table.ts';
 
@@ -141,7 +141,7 @@ function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, 
     case 'launch_package':
       return launchFile === undefined ? [] : [launchFile.package ?? launchFile.file];
     case 'launch_file':
-      return launchFile !== undefined && launchFile.package === given[0] ? [baseName(launchFile.file)] : [];
+      return launchFile !== undefined && launchFile.package === given[0] ? [fileName(launchFile.file)] : [];
     case 'launch_argument':
       return (launch?.arguments ?? []).map(({ name }) => `${name}:=`);
     case 'parameter':

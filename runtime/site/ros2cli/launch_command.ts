@@ -1,14 +1,13 @@
 // ros2 launch: the nodes of the site's launch file once more, with launch arguments of their own, until Ctrl-C.
 
+import { fileName } from '../contract/file_name.ts';
 import { readGiven, shownArguments } from '../contract/launch_arguments.ts';
 import type { LaunchFile, NodeState, SiteDescription } from '../contract/session.ts';
 import { type Command, CommandError, type Context, has } from './command.ts';
 
-export const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-
 /** As the command line names it: below a package, or by its path. */
 function namesOf({ file, package: from }: LaunchFile): string {
-  return from === undefined ? file : `${from} ${baseName(file)}`;
+  return from === undefined ? file : `${from} ${fileName(file)}`;
 }
 
 /** The words that are launch arguments. Throws for another launch file than the site's. */
@@ -20,7 +19,7 @@ function argumentsFor(site: SiteDescription, words: readonly string[]): readonly
   if (!isPath && !site.packages.includes(first)) throw new CommandError(`Package '${first}' not found`);
   if (launchFile === undefined) throw new CommandError(`'${named}': this site carries no launch file, its manifest lists its nodes`);
   const { file, package: from } = launchFile;
-  const isMeant = isPath ? first === file || first === baseName(file) : first === from && baseName(second) === baseName(file);
+  const isMeant = isPath ? first === file || first === fileName(file) : first === from && fileName(second) === fileName(file);
   if (!isMeant) throw new CommandError(`'${named}': of launch files the site has: ros2 launch ${namesOf(launchFile)}`);
   return words.slice(isPath ? 1 : 2);
 }

@@ -1,5 +1,6 @@
 // Bags: records topics, and plays what was recorded here, dropped on the page or packed with the site.
 
+import { fileName } from '../../contract/file_name.ts';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { recordsAll } from '../../bag/recorder.ts';
 import { flagMember, member, numberMember, textMember, textsMember } from '../model/json.ts';
@@ -250,7 +251,7 @@ function Files({ desk }: { readonly desk: BagDesk }) {
                 <span class="bag-name">{name}</span>
                 <span class="bag-facts">{formatBytes(file.content.size)}</span>
               </span>
-              <IconButton icon="down" label={words.save(name)} onClick={() => download(file.path.slice(file.path.lastIndexOf('/') + 1), file.content)} />
+              <IconButton icon="down" label={words.save(name)} onClick={() => download(fileName(file.path), file.content)} />
               <IconButton icon="clear" label={words.remove(name)} onClick={() => desk.forget(file)} />
             </li>
           );

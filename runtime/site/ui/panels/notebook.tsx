@@ -1,5 +1,6 @@
 // A Jupyter notebook of the workspace: its cells run in a Python program of the site, on the same graph as the nodes.
 
+import { fileName } from '../../contract/file_name.ts';
 import { useEffect, useReducer, useState } from 'preact/hooks';
 import { CellView } from '../parts/cell_view.tsx';
 import { download } from '../parts/download.ts';
@@ -87,7 +88,7 @@ interface ToolsProps {
 
 function Tools({ store, view, add }: ToolsProps) {
   const up = isUp(view.kernel);
-  const save = (): void => download(store.file.slice(store.file.lastIndexOf('/') + 1), new Blob([store.text()], { type: 'application/x-ipynb+json' }));
+  const save = (): void => download(fileName(store.file), new Blob([store.text()], { type: 'application/x-ipynb+json' }));
   const adds = (kind: 'code' | 'markdown') => (
     <button type="button" class="button" title={words.addLong[kind]} aria-label={words.addLong[kind]} onClick={() => add(kind)}>
       <Icon name="plus" />

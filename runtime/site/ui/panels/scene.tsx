@@ -2,25 +2,22 @@
 // State: model/scene_options.ts.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { kUsualView } from '../model/camera_view.ts';
 import { kPlainLook, withLook } from '../model/display_look.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { member, textMember } from '../model/json.ts';
 import { problemOf } from '../model/problem.ts';
 import { readOptions, writeOptions } from '../model/scene_options.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
-import { IconButton } from '../parts/button.tsx';
 import { isImage } from '../parts/image_drawing.ts';
-import { MenuButton } from '../parts/menu.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SceneDetails } from '../parts/scene_details.tsx';
 import type { Inspected } from '../parts/scene_details.tsx';
 import { SceneImages } from '../parts/scene_images.tsx';
 import { SceneList } from '../parts/scene_list.tsx';
-import { SceneToolButtons } from '../parts/scene_tools.tsx';
+import { SceneToolbar, siteFile } from '../parts/scene_toolbar.tsx';
+import type { NamedText } from '../parts/scene_toolbar.tsx';
 import { SceneTroubles } from '../parts/scene_troubles.tsx';
-import { chooseText, readSiteText } from '../parts/site_text.ts';
 import { useTopics } from '../parts/watch.ts';
 import { canShow, kOdometry, settingsOf } from '../scene/kinds.ts';
 import type { Picked } from '../scene/pick.ts';
@@ -29,7 +26,6 @@ import type { ShownTopic } from '../scene/use_scene.ts';
 import { useTools } from '../scene/use_tools.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
-import { sceneTexts } from '../texts_scene.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Upper bound of the topics that are shown though nobody chose them. */
@@ -77,7 +73,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     () => session.site.files.map(({ path }) => path).filter((path) => path.endsWith('.rviz')).slice(0, kMostFiles),
     [session],
   );
-  const showAs = async (file: Promise<{ readonly name: string; readonly text: string }>): Promise<void> => {
+  const showAs = async (file: NamedText): Promise<void> => {
     try {
       const { name, text } = await file;
       const { readRviz } = await import('../model/rviz_config.ts');
@@ -92,7 +88,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   // The file of the site that the panel shows at first: from then on the visitor's changes count.
   const asked = textMember(state, 'file');
   useEffect(() => {
-    if (asked !== '' && files.includes(asked)) void showAs(readSiteText(asked).then((text) => ({ name: nameOf(asked), text })));
+    if (asked !== '' && files.includes(asked)) void showAs(siteFile(asked));
   }, [asked]);
 
   const { canvas, veil, view, tree, problem, forget, unreadable, newest } = useScene({
@@ -106,7 +102,6 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
 
   // Roots first: those are what one wants to see from.
   const frames = [...new Set([...tree.roots(), ...tree.views().map(({ name }) => name)])].slice(0, kMostOffers);
-  const fixed = view?.fixedFrame ?? '';
   const rows = known.map(({ name, type }) => ({
     name,
     type,
@@ -131,57 +126,16 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       title={texts.panels.scene}
       icon="scene"
       tools={
-        <>
-          <select
-            class="select scene-frame"
-            aria-label={panelTexts.scene.frame}
-            value={options.frame}
-            onChange={(event) => change({ frame: event.currentTarget.value })}
-          >
-            <option value="">{panelTexts.scene.usualFrame(options.frame === '' ? fixed : '')}</option>
-            {frames.map((name) => (
-              <option key={name} value={name}>{name}</option>
-            ))}
-            {options.frame === '' || frames.includes(options.frame) ? null : (
-              <option value={options.frame}>{panelTexts.scene.missingFrame(options.frame)}</option>
-            )}
-          </select>
-          <IconButton
-            icon="list"
-            label={panelTexts.scene.list}
-            words={sceneTexts.short.list}
-            pressed={options.list}
-            onClick={() => change({ list: !options.list })}
-          />
-          <IconButton
-            icon="above"
-            label={panelTexts.scene.top}
-            words={sceneTexts.short.top}
-            pressed={options.view.top}
-            onClick={() => change({ view: { ...options.view, top: !options.view.top } })}
-          />
-          <IconButton
-            icon="home"
-            label={panelTexts.scene.home}
-            words={sceneTexts.short.home}
-            onClick={() => change({ view: { ...kUsualView, top: options.view.top } })}
-          />
-          <SceneToolButtons tool={tools.tool} choose={tools.choose} options={options} />
-          <MenuButton
-            icon="layout"
-            label={panelTexts.scene.rviz}
-            words={sceneTexts.short.rviz}
-            items={[
-              ...files.map((path) => ({
-                id: path,
-                words: nameOf(path),
-                choose: () => void showAs(readSiteText(path).then((text) => ({ name: nameOf(path), text }))),
-              })),
-              { id: '', words: panelTexts.scene.rvizOpen, choose: () => void showAs(chooseText('.rviz')) },
-            ]}
-          />
-          <IconButton icon="restart" label={panelTexts.scene.forget} words={sceneTexts.short.forget} onClick={forget} />
-        </>
+        <SceneToolbar
+          options={options}
+          change={change}
+          frames={frames}
+          fixed={view?.fixedFrame ?? ''}
+          tools={tools}
+          files={files}
+          showAs={(file) => void showAs(file)}
+          forget={forget}
+        />
       }
     >
       {typeof codec === 'string' ? <p class="hint">{texts.topics.undecodable(codec)}</p> : null}
@@ -237,10 +191,6 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       </div>
     </PanelFrame>
   );
-}
-
-function nameOf(path: string): string {
-  return path.slice(path.lastIndexOf('/') + 1);
 }
 
 /** The fields of a point cloud by which its points can be coloured. */

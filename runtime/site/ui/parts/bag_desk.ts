@@ -1,6 +1,7 @@
 // The bags of a page: those of the site, those that were dropped on it and those that were recorded, the recording that
 // goes on and the bag that is played; and the other files that nodes have written. One desk per session, which panel and terminal share.
 
+import { fileName } from '../../contract/file_name.ts';
 import { type Bag, type BagSource, openBag } from '../../bag/bag_file.ts';
 import { bagName, withEnding } from '../../bag/bag_name.ts';
 import type { BagSink } from '../../bag/bag_writer.ts';
@@ -84,7 +85,7 @@ export class BagDesk {
     for (const file of this.session.written.take()) {
       const { node, path, content } = file;
       if (path.endsWith('.mcap')) {
-        this.put(path.slice(path.lastIndexOf('/') + 1), content, 'written');
+        this.put(fileName(path), content, 'written');
       } else if (!path.endsWith('/metadata.yaml')) {
         this.files = [...this.files.filter((one) => one.node !== node || one.path !== path), file];
         this.changed();

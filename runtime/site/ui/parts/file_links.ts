@@ -1,5 +1,7 @@
 // Links to files of the site that are not at the address beside the page: in a store, in parts, or carried by the page.
 
+import { fileName } from '../../contract/file_name.ts';
+
 /** Those files. */
 export interface LinkedFiles {
   has(path: string): boolean;
@@ -25,7 +27,7 @@ function follow(event: MouseEvent, files: LinkedFiles): void {
   void files.address(path).then((address) => {
     const given = document.createElement('a');
     given.href = address;
-    given.download = path.slice(path.lastIndexOf('/') + 1);
+    given.download = fileName(path);
     given.click();
   });
 }

@@ -1,6 +1,7 @@
 // The files that a terminal sees: a tree over their paths. Pure.
 
-import { kHome, kWorkspace, nameOf, parentOf } from './paths.ts';
+import { fileName } from '../../contract/file_name.ts';
+import { kHome, kWorkspace, parentOf } from './paths.ts';
 
 export interface ShellFile {
   /** Absolute. */
@@ -32,7 +33,7 @@ export class FileTree {
       if (this.folders.has(file.path)) continue;
       this.addFolder(parentOf(file.path));
       this.files.set(file.path, file);
-      this.folders.get(parentOf(file.path))?.add(nameOf(file.path));
+      this.folders.get(parentOf(file.path))?.add(fileName(file.path));
     }
   }
 
@@ -40,7 +41,7 @@ export class FileTree {
     if (this.folders.has(path) || this.files.has(path)) return;
     this.folders.set(path, new Set());
     this.addFolder(parentOf(path));
-    this.folders.get(parentOf(path))?.add(nameOf(path));
+    this.folders.get(parentOf(path))?.add(fileName(path));
   }
 
   file(path: string): ShellFile | undefined {

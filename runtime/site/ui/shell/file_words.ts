@@ -4,7 +4,8 @@ import { shellTexts } from '../texts_shell.ts';
 import type { FileTree, FolderEntry, ShellFile } from './file_tree.ts';
 import { mayWrite } from './own_files.ts';
 import type { OwnFiles } from './own_files.ts';
-import { kHome, nameOf, parentOf, resolvePath } from './paths.ts';
+import { fileName } from '../../contract/file_name.ts';
+import { kHome, parentOf, resolvePath } from './paths.ts';
 
 export interface FileCall {
   readonly tree: FileTree;
@@ -192,6 +193,6 @@ export function completeName(tree: FileTree, folder: string, word: string): read
   const base = word.slice(0, cut);
   const entries = tree.entries(resolvePath(folder, base === '' ? '.' : base)) ?? [];
   return entries
-    .filter(({ name }) => name.startsWith(word.slice(cut)) && (!name.startsWith('.') || nameOf(word).startsWith('.')))
+    .filter(({ name }) => name.startsWith(word.slice(cut)) && (!name.startsWith('.') || fileName(word).startsWith('.')))
     .map(({ name, file }) => `${base}${name}${file === undefined ? '/' : ''}`);
 }

@@ -25,10 +25,6 @@ export function parentOf(path: string): string {
   return end <= 0 ? '/' : path.slice(0, end);
 }
 
-export function nameOf(path: string): string {
-  return path.slice(path.lastIndexOf('/') + 1);
-}
-
 /** Where a file of the workspace stands. `file`: as the site names it. */
 export function workspacePath(file: string): string {
   return resolvePath(file.startsWith('src/') ? kWorkspace : `${kWorkspace}/src`, file.replace(/^\/+/, ''));

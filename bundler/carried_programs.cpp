@@ -35,13 +35,14 @@ std::vector<NodeEntry> entries_of(const ProgramEntry& program,
 
 }  // namespace
 
-Outcome<Done> add_programs(const BuiltWorkspace& workspace, LaunchedFile& launched) {
+Outcome<Done> add_programs(const Manifest& manifest, const BuiltPackages& built,
+                           LaunchedFile& launched) {
   std::set<fs::path> known;
   for (const LaunchNode& node : launched.nodes) known.insert(node.program);
   for (const LaunchNode& node : launched.more_nodes) known.insert(node.program);
   Diagnostics errors;
-  for (const ProgramEntry& program : workspace.manifest.programs) {
-    const std::vector<NodeEntry> entries = entries_of(program, workspace.installed);
+  for (const ProgramEntry& program : manifest.programs) {
+    const std::vector<NodeEntry> entries = entries_of(program, built.installed);
     if (entries.empty()) {
       errors.push_back(Diagnostic{
           .code = "R2W0402",
@@ -49,7 +50,7 @@ Outcome<Done> add_programs(const BuiltWorkspace& workspace, LaunchedFile& launch
           .span = program.package.span});
       continue;
     }
-    auto nodes = launch_nodes(entries, workspace.installed, {}, workspace.left_out);
+    auto nodes = launch_nodes(entries, built.installed, {}, built.left_out);
     if (!nodes) {
       for (Diagnostic& error : std::move(nodes).errors()) errors.push_back(std::move(error));
       continue;

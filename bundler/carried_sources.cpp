@@ -44,20 +44,22 @@ class Sources {
   void add(const fs::path& path) {
     std::error_code error;
     const fs::path real = fs::canonical(path, error);
-    const fs::path from_workspace = real.lexically_relative(workspace_.folder);
+    const fs::path from_workspace = real.lexically_relative(workspace_.read.folder);
     if (error || from_workspace.empty()) {
       errors_.push_back(not_carried(path.string(), "it is not there"));
       return;
     }
     // Launch files read what was built and installed, too, and what add_trees() adds.
-    if (path_within(workspace_.cache, real) || path_within(workspace_.environment, real)) return;
-    if (path_within(workspace_.roots.cache / "sources", real)) return;
-    add_at(from_workspace, real, workspace_.folder);
+    if (path_within(workspace_.built.settings.cache, real) ||
+        path_within(workspace_.fetched.prefix, real))
+      return;
+    if (path_within(workspace_.supplies.roots.cache / "sources", real)) return;
+    add_at(from_workspace, real, workspace_.read.folder);
   }
 
   /// The packages that came from repositories and archives, where bring_source_trees() finds them.
   void add_trees() {
-    for (const SourceTree& tree : workspace_.source_trees) {
+    for (const SourceTree& tree : workspace_.supplies.source_trees) {
       if (tree.can_change) continue;
       const fs::path place = fs::path(kCarriedSources) / key_of(tree.locked);
       // Patterns of the manifest must not find them once more.
@@ -68,7 +70,7 @@ class Sources {
                                        : tree.locked.git + "\n" + tree.locked.commit + "\n");
       for (const fs::path& file : license_files(tree.folder))
         add_at(place / file.lexically_relative(tree.folder), file, tree.folder);
-      for (const LocalPackage& package : workspace_.sources) {
+      for (const LocalPackage& package : workspace_.built.sources) {
         if (package.base != tree.folder) continue;
         add_at((place / package.directory.lexically_relative(tree.folder)).lexically_normal(),
                package.directory, tree.folder);
@@ -103,7 +105,7 @@ class Sources {
       bytes += file.bytes.size() + 2 * path.size() + 100;
     }
     if (bytes > kMostBytes || placed.size() > kMostFiles)
-      return not_carried(workspace_.shown_folder.string(),
+      return not_carried(workspace_.read.shown_folder.string(),
                          "an archive holds 4 GB and 65,000 files");
     ZipWriter zip;
     const auto member = [&](const std::string& path, const ZipFile& file) {
@@ -167,21 +169,23 @@ class Sources {
 
 }  // namespace
 
-Outcome<Done> add_sources(const PackRequest& request, BuiltWorkspace& workspace, PlanInput& input) {
-  const auto asked = workspace.manifest.site.find("sources");
-  if (asked == workspace.manifest.site.end() || asked->second != "true") return Done{};
+Outcome<Done> add_sources(const PackRequest& request, const BuiltWorkspace& workspace,
+                          PlanInput& input, PackNotes& notes) {
+  const auto& options = workspace.read.manifest.site;
+  const auto asked = options.find("sources");
+  if (asked == options.end() || asked->second != "true") return Done{};
   if (request.quick) {
-    workspace.remarks.emplace_back("the site carries no sources: --quick makes other programs");
+    notes.remarks.emplace_back("the site carries no sources: --quick makes other programs");
     return Done{};
   }
   Sources sources(workspace);
-  for (const fs::path& path : workspace.watched) sources.add(path);
-  for (const fs::path& path : license_files(workspace.folder)) sources.add(path);
+  for (const fs::path& path : notes.watched) sources.add(path);
+  for (const fs::path& path : license_files(workspace.read.folder)) sources.add(path);
   sources.add_trees();
-  sources.add_text(kLockFileName, workspace.lock_text);
+  sources.add_text(kLockFileName, workspace.fetched.lock_text);
   sources.leave_out(kSizesFileName);  // written after the site
   // The manifest is the first that a workspace depends on.
-  auto archive = sources.archive(workspace.watched.front().filename().string());
+  auto archive = sources.archive(notes.watched.front().filename().string());
   if (!archive) return std::move(archive).errors();
   input.sources = std::move(*archive);
   return Done{};

@@ -6,14 +6,15 @@
 #include <string>
 
 #include "bundler/archive/extract_limits.hpp"
-#include "bundler/pipeline.hpp"
+#include "bundler/pack_values.hpp"
+#include "bundler/request.hpp"
 
 namespace ros2wasm {
 
 /// Adds the archive when the manifest asks for it (`site: sources: true`). To be called when
-/// `workspace` knows all that it depends on. R2W0661 for what an archive cannot hold.
-[[nodiscard]] Outcome<Done> add_sources(const PackRequest& request, BuiltWorkspace& workspace,
-                                        PlanInput& input);
+/// `notes` have all that the site depends on. R2W0661 for what an archive cannot hold.
+[[nodiscard]] Outcome<Done> add_sources(const PackRequest& request, const BuiltWorkspace& workspace,
+                                        PlanInput& input, PackNotes& notes);
 
 /// Unpacks one into the empty `folder`; the path of the manifest there. What read_zip_files() says,
 /// and R2W0221 for an archive without a manifest.

@@ -12,6 +12,7 @@
 #include "bundler/channel/channel_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/pipeline.hpp"
 #include "bundler/site_components.hpp"
 #include "bundler/workspace/channel_record.hpp"
 #include "workspace_schema/base/json_reader.hpp"
@@ -113,23 +114,24 @@ class ChannelBuilder {
  public:
   ChannelBuilder(const ChannelBuildRequest& request, BuiltWorkspace workspace)
       : request_(request), workspace_(std::move(workspace)) {
-    for (const LocalPackage& one : workspace_.sources) {
+    for (const LocalPackage& one : workspace_.built.sources) {
       if (built_of(one)) built_packages_.push_back(one);
     }
-    abi_ = {.compiler_version = workspace_.tools.compiler.version,
+    abi_ = {.compiler_version = workspace_.built.tools.compiler.version,
             .compiler_build = {},
-            .client_build = workspace_.client_abi};
+            .client_build = workspace_.supplies.client_abi};
   }
 
   Outcome<ChannelBuildReport> run(const EnvironmentVariables& variables,
                                   const Cancellation& cancellation, const ProgressSink& progress) {
-    const auto notes = notes_of(request_.channel, workspace_.roots.cache);
+    const auto notes = notes_of(request_.channel, workspace_.supplies.roots.cache);
     if (!notes) return notes.errors();
     known_ = read_notes(*notes);
-    abi_.compiler_build = abi_build(find_compiler_parts(workspace_.tools.compiler.home, variables),
-                                    workspace_.roots.cache);
+    abi_.compiler_build =
+        abi_build(find_compiler_parts(workspace_.built.tools.compiler.home, variables),
+                  workspace_.supplies.roots.cache);
     begin_step(progress, "pack");
-    for (const LocalPackage& one : workspace_.sources) {
+    for (const LocalPackage& one : workspace_.built.sources) {
       if (cancellation.requested()) return interrupted();
       report_.packages.push_back(result_of(one));
       const Diagnostics& errors = report_.packages.back().errors;
@@ -150,9 +152,9 @@ class ChannelBuilder {
               [](const ChannelPackage& a, const ChannelPackage& b) { return a.name < b.name; });
     const auto indexed = index_channel(request_.channel);
     if (!indexed) return indexed.errors();
-    report_.warnings.insert(report_.warnings.begin(), workspace_.warnings.begin(),
-                            workspace_.warnings.end());
-    report_.remarks = std::move(workspace_.remarks);
+    report_.warnings.insert(report_.warnings.begin(), workspace_.notes.warnings.begin(),
+                            workspace_.notes.warnings.end());
+    report_.remarks = std::move(workspace_.notes.remarks);
     report_.remarks.push_back("the channel has " + std::to_string(indexed->packages) + " packages");
     return std::move(report_);
   }
@@ -160,9 +162,9 @@ class ChannelBuilder {
  private:
   [[nodiscard]] const BuiltPackage* built_of(const LocalPackage& package) const {
     const auto found =
-        std::find_if(workspace_.packages.begin(), workspace_.packages.end(),
+        std::find_if(workspace_.built.packages.begin(), workspace_.built.packages.end(),
                      [&](const BuiltPackage& one) { return one.name == package.xml.name.value; });
-    return found == workspace_.packages.end() ? nullptr : &*found;
+    return found == workspace_.built.packages.end() ? nullptr : &*found;
   }
 
   [[nodiscard]] ChannelPackage result_of(const LocalPackage& package) {
@@ -173,14 +175,16 @@ class ChannelBuilder {
                           .archive = {}};
     const BuiltPackage* built = built_of(package);
     if (built == nullptr) {
-      const auto failed = std::find_if(workspace_.failed.begin(), workspace_.failed.end(),
-                                       [&](const FailedPackage& one) { return one.name == name; });
-      if (failed != workspace_.failed.end()) {
+      const auto failed =
+          std::find_if(workspace_.built.failed.begin(), workspace_.built.failed.end(),
+                       [&](const FailedPackage& one) { return one.name == name; });
+      if (failed != workspace_.built.failed.end()) {
         result.state = ChannelPackageState::kFailed;
         result.errors = failed->errors;
       } else {
         result.state = ChannelPackageState::kSkipped;
-        if (const auto chain = workspace_.left_out.find(name); chain != workspace_.left_out.end())
+        if (const auto chain = workspace_.built.left_out.find(name);
+            chain != workspace_.built.left_out.end())
           result.reason = chain->second;
       }
       return result;
@@ -198,10 +202,11 @@ class ChannelBuilder {
 
   /// False when the channel has that very archive.
   Outcome<bool> add(const LocalPackage& package, const BuiltPackage& built) {
-    const KnownNames names{.names = workspace_.channel_names, .of_lock = false, .absent = {}};
+    const KnownNames names{
+        .names = workspace_.supplies.channel_names, .of_lock = false, .absent = {}};
     const auto record = [&](bool is_compiled) {
       CondaPackage made = channel_record(package, built_packages_, names,
-                                         workspace_.manifest.distro, is_compiled, abi_);
+                                         workspace_.read.manifest.distro, is_compiled, abi_);
       made.license_files = license_files(package.directory);
       if (made.license_files.empty()) made.license_files = license_files(package.base);
       return made;
@@ -216,9 +221,9 @@ class ChannelBuilder {
     const auto staging = TemporaryDirectory::make("ros2wasm-channel-");
     if (!staging) return staging.errors();
     BuildPlaces places{
-        .prefixes = {workspace_.environment},
-        .others = {package.directory, package.base, workspace_.settings.cache / "work"}};
-    for (const BuiltPackage& one : workspace_.packages) places.prefixes.push_back(one.prefix);
+        .prefixes = {workspace_.fetched.prefix},
+        .others = {package.directory, package.base, workspace_.built.settings.cache / "work"}};
+    for (const BuiltPackage& one : workspace_.built.packages) places.prefixes.push_back(one.prefix);
     const auto tree = make_movable(built.prefix, built.name, places, staging->path());
     if (!tree) return tree.errors();
     if (!tree->fixed.empty())
@@ -270,8 +275,8 @@ class ChannelBuilder {
                        .why = there->reason}};
         continue;
       }
-      const std::string conda = conda_name(name, workspace_.manifest.distro);
-      const auto& names = workspace_.channel_names;
+      const std::string conda = conda_name(name, workspace_.read.manifest.distro);
+      const auto& names = workspace_.supplies.channel_names;
       const bool is_ready = std::binary_search(names.begin(), names.end(), conda);
       report_.packages.push_back(
           {.name = name,

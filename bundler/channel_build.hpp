@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bundler/pipeline.hpp"
+#include "bundler/request.hpp"
 
 namespace ros2wasm {
 

@@ -27,7 +27,7 @@ void add_program(const LaunchNode& node, const std::string& name, PackedLaunch& 
 
 }  // namespace
 
-Outcome<Done> link_containers(const BuiltWorkspace& workspace, LaunchedFile& launched,
+Outcome<Done> link_containers(const BuiltPackages& built, LaunchedFile& launched,
                               const Cancellation& cancellation, const ProgressSink& progress) {
   Diagnostics errors;
   for (auto* nodes : {&launched.nodes, &launched.more_nodes}) {
@@ -36,9 +36,8 @@ Outcome<Done> link_containers(const BuiltWorkspace& workspace, LaunchedFile& lau
       const std::string name = node.program.stem().string();
       std::vector<std::string> packages = {node.package};
       packages.insert(packages.end(), node.linked_with.begin(), node.linked_with.end());
-      auto file =
-          link_container(node.executable, name, packages, workspace.sources, workspace.packages,
-                         workspace.tools, workspace.settings, cancellation, progress);
+      auto file = link_container(node.executable, name, packages, built.sources, built.packages,
+                                 built.tools, built.settings, cancellation, progress);
       if (!file) {
         for (Diagnostic& one : std::move(file).errors()) {
           if (!one.span) one.span = node.source;

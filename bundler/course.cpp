@@ -11,6 +11,7 @@
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
+#include "bundler/pipeline.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/site/own_site.hpp"
 #include "bundler/site/site_list.hpp"
@@ -183,8 +184,8 @@ Outcome<CourseReport> pack_into(const CourseRequest& request, const Course& cour
       if (auto done = precompress_site(one.output, cancellation); !done)
         return std::move(done).errors();
     }
-    append(report.warnings, packed->warnings);
-    for (const std::string& remark : packed->remarks)
+    append(report.warnings, packed->notes.warnings);
+    for (const std::string& remark : packed->notes.remarks)
       report.remarks.push_back(lab.name + ": " + remark);
     report.labs.push_back({.name = lab.name,
                            .title = lab.title.empty() ? title_of(packed->plan) : lab.title,

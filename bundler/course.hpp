@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bundler/pipeline.hpp"
 #include "bundler/render/course_page.hpp"
+#include "bundler/request.hpp"
 
 namespace ros2wasm {
 

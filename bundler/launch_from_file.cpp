@@ -129,7 +129,7 @@ Diagnostic not_with(const Texts& given, const SourceSpan& span, const Diagnostic
 }
 
 /// The package of the workspace in whose folder the file lies; empty: none.
-std::string package_around(const BuiltWorkspace& workspace, const std::string& file) {
+std::string package_around(const ReadWorkspace& workspace, const std::string& file) {
   fs::path below = fs::path(file).lexically_normal().parent_path();
   for (;; below = below.parent_path()) {
     const fs::path described = workspace.folder / below / "package.xml";
@@ -146,16 +146,19 @@ std::string package_around(const BuiltWorkspace& workspace, const std::string& f
 
 }  // namespace
 
-Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspace& workspace,
-                                       const Spanned<std::string>& file,
-                                       const std::vector<GivenArgument>& arguments,
-                                       const Cancellation& cancellation) {
-  workspace.watched.push_back(workspace.folder / file.value);
-  const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
-                                                workspace.environment, workspace.manifest.distro);
-  LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
-  world.variables = with_environment_hooks(workspace.manifest.launch_variables, workspace.installed,
-                                           launch_prefix(workspace.manifest.distro));
+Outcome<LaunchedFile> launch_from_file(const PackRequest& request, const BuiltWorkspace& workspace,
+                                       PackNotes& notes, const Cancellation& cancellation) {
+  const Manifest& manifest = workspace.read.manifest;
+  const Spanned<std::string>& file = *manifest.launch_file;
+  const std::vector<GivenArgument>& arguments = manifest.launch_arguments;
+  const std::vector<InstalledPackage>& installed = workspace.built.installed;
+  const LeftOutChains& left_out_chains = workspace.built.left_out;
+  notes.watched.push_back(workspace.read.folder / file.value);
+  const auto folders = installed_launch_folders(workspace.read.folder, installed,
+                                                workspace.fetched.prefix, manifest.distro);
+  LaunchWorld world = launch_world(folders, manifest.distro, true);
+  world.variables =
+      with_environment_hooks(manifest.launch_variables, installed, launch_prefix(manifest.distro));
   Reading reading;
   PythonRecord record;
   const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;
@@ -163,7 +166,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   const auto given_at = places_by_name(arguments);
   const LaunchInterpreter interpreter = launch_interpreter({.executable = request.executable,
                                                             .variables = request.variables,
-                                                            .environment = workspace.environment,
+                                                            .environment = workspace.fetched.prefix,
                                                             .folders = folders,
                                                             .file = path,
                                                             .given = packed_with},
@@ -173,11 +176,11 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     LaunchWorld seen = reading.seen_through(world);
     seen.python = record.recording(interpreter.python);
     seen.given_at = given_at;
-    return launch_file_nodes(path, given, seen, workspace.installed, file.span, workspace.left_out);
+    return launch_file_nodes(path, given, seen, installed, file.span, left_out_chains);
   };
   const auto watch = [&](const std::vector<std::string>& files) {
     for (const std::string& one : files)
-      if (auto real = real_path(folders, one)) workspace.watched.push_back(std::move(*real));
+      if (auto real = real_path(folders, one)) notes.watched.push_back(std::move(*real));
   };
 
   auto launched = evaluate({});
@@ -186,11 +189,11 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     return errors;
   Diagnostics refused = refused_when_strict(launched->warnings);
   if (request.strict && !refused.empty()) return refused;
-  append(workspace.warnings, launched->warnings);
+  append(notes.warnings, launched->warnings);
   watch(launched->files);
-  for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
+  for (std::string& remark : launched->remarks) notes.remarks.push_back(std::move(remark));
   LaunchedFile step;
-  step.package = package_around(workspace, file.value);
+  step.package = package_around(workspace.read, file.value);
   std::set<fs::path> programs;
   for (const LaunchNode& node : launched->nodes) programs.insert(node.program);
   if (!launched->arguments.empty()) {
@@ -201,7 +204,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
       auto other = evaluate(given);
       if (!other) {
         if (told.insert(other.errors().front().message).second)
-          workspace.warnings.push_back(not_with(given, file.span, other.errors()));
+          notes.warnings.push_back(not_with(given, file.span, other.errors()));
         continue;
       }
       watch(other->files);
@@ -210,7 +213,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
           step.more_nodes.push_back(std::move(node));
     }
     if (!tried.is_complete)
-      workspace.remarks.push_back(
+      notes.remarks.push_back(
           "tried " + std::to_string(tried.trials.size() + 1) +
           " values of launch arguments together; a program that only others start is not in the "
           "site");
@@ -228,8 +231,8 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     std::vector<std::string> left_out;
     Texts texts = reading.texts(world, left_out);
     if (!left_out.empty())
-      workspace.remarks.push_back("launch arguments cannot choose " + name_list(left_out) +
-                                  ": too large");
+      notes.remarks.push_back("launch arguments cannot choose " + name_list(left_out) +
+                              ": too large");
     // The same site whatever folder the pack was started in.
     SourceSpan from = file.span;
     from.file = fs::path(from.file).filename().string();
@@ -237,9 +240,9 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
                                .from = std::move(from),
                                .given = packed_with,
                                .variables = world.variables,
-                               .distro = workspace.manifest.distro,
-                               .installed = workspace.installed,
-                               .left_out = workspace.left_out,
+                               .distro = manifest.distro,
+                               .installed = installed,
+                               .left_out = left_out_chains,
                                .texts = std::move(texts),
                                .python = record.exchanges(),
                                .arguments = std::move(launched->arguments),

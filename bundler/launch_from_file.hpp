@@ -9,10 +9,12 @@
 
 #include "bundler/launch/packed_launch.hpp"
 #include "bundler/launch/unsupported_programs.hpp"
-#include "bundler/pipeline.hpp"
+#include "bundler/pack_values.hpp"
+#include "bundler/request.hpp"
 
 namespace ros2wasm {
 
+/// Step 7: what runs.
 struct LaunchedFile {
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
@@ -21,15 +23,15 @@ struct LaunchedFile {
   std::optional<PackedLaunch> launch;  ///< when the launch file declares arguments
   std::string package = {};            ///< of the workspace, in which the launch file lies; or none
   std::vector<StandInPanel> panels = {};  ///< that do the work of what is skipped
+  bool by_default = false;                ///< the manifest names no nodes, so all programs run
 };
 
 /// The nodes of the manifest's launch file with the launch arguments that it gives (R2W0730). What
 /// else they can start is found by trying their choices, and true and false, 32 times at most;
 /// faults there are warnings (R2W0440).
 [[nodiscard]] Outcome<LaunchedFile> launch_from_file(const PackRequest& request,
-                                                     BuiltWorkspace& workspace,
-                                                     const Spanned<std::string>& file,
-                                                     const std::vector<GivenArgument>& arguments,
+                                                     const BuiltWorkspace& workspace,
+                                                     PackNotes& notes,
                                                      const Cancellation& cancellation);
 
 /// The same for one evaluation of any launch file, without programs: what a site would have of it.

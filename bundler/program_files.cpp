@@ -11,9 +11,9 @@ namespace fs = std::filesystem;
 Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& workspace,
                             const std::vector<LaunchNode>& nodes, PlanInput& input,
                             const Cancellation& cancellation) {
-  const auto exceptions = workspace.manifest.site.find("exceptions");
-  const bool standard =
-      exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
+  const auto& options = workspace.read.manifest.site;
+  const auto exceptions = options.find("exceptions");
+  const bool standard = exceptions != options.end() && exceptions->second == "standard";
   for (const LaunchNode& node : nodes) {
     if (node.kind != ProgramKind::kWasm || input.programs.contains(node.program)) continue;
     auto bytes = read_file(node.program, kMostOfData);
@@ -28,7 +28,8 @@ Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& wo
       if (!split->names.empty()) input.names[node.program] = std::move(split->names);
     }
     if (bytes && standard) {
-      bytes = with_standard_exceptions(*bytes, request.executable, workspace.cache, cancellation);
+      bytes = with_standard_exceptions(*bytes, request.executable, workspace.built.settings.cache,
+                                       cancellation);
     }
     if (!bytes) return std::move(bytes).errors();
     input.programs[node.program] = std::move(bytes).value();

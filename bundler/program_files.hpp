@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "bundler/pipeline.hpp"
+#include "bundler/pack_values.hpp"
+#include "bundler/request.hpp"
 
 namespace ros2wasm {
 

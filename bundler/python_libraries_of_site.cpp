@@ -104,10 +104,10 @@ bool has_python(const Manifest& manifest, const std::vector<LocalPackage>& packa
                      [](const LocalPackage& one) { return !one.python_uses.empty(); });
 }
 
-bool is_asked(const BuiltWorkspace& workspace, const std::string& project) {
-  const auto& asked = workspace.manifest.python_packages;
+bool is_asked(const Manifest& manifest, const LibrarySupply& python, const std::string& project) {
+  const auto& asked = manifest.python_packages;
   return std::any_of(asked.begin(), asked.end(), [&](const Spanned<std::string>& one) {
-    return library_project(wheel_requirement(one.value)->project, workspace.offered) == project;
+    return library_project(wheel_requirement(one.value)->project, python.offered) == project;
   });
 }
 
@@ -137,42 +137,45 @@ bool takes_libraries(const Manifest& manifest) {
   return !manifest.python_index || manifest.python_index->value != kNoPythonIndex;
 }
 
-Outcome<std::vector<RequestedSpec>> ask_for_libraries(
-    const fs::path& executable, const std::vector<NamedWheel>& wheels, const KnownNames& known,
-    const std::vector<Spanned<std::string>>& notebook_modules, std::vector<LocalPackage>& packages,
-    BuiltWorkspace& workspace) {
-  const Manifest& manifest = workspace.manifest;
-  if (!has_python(manifest, packages, wheels, notebook_modules))
-    return std::vector<RequestedSpec>();
-  auto offered = offered_libraries(executable, manifest, workspace.folder);
+Outcome<AskedLibraries> ask_for_libraries(const fs::path& executable,
+                                          const std::vector<NamedWheel>& wheels,
+                                          const KnownNames& known,
+                                          const std::vector<Spanned<std::string>>& notebook_modules,
+                                          const ReadWorkspace& read,
+                                          std::vector<LocalPackage>& packages, PackNotes& notes) {
+  const Manifest& manifest = read.manifest;
+  AskedLibraries result;
+  if (!has_python(manifest, packages, wheels, notebook_modules)) return result;
+  auto offered = offered_libraries(executable, manifest, read.folder);
   if (!offered) return std::move(offered).errors();
-  workspace.offered = std::move(*offered);
-  if (manifest.python_lock)
-    workspace.watched.push_back(workspace.folder / manifest.python_lock->value);
-  if (!takes_libraries(manifest)) return std::vector<RequestedSpec>();
+  result.supply.offered = std::move(*offered);
+  if (manifest.python_lock) notes.watched.push_back(read.folder / manifest.python_lock->value);
+  if (!takes_libraries(manifest)) return result;
   auto asked = library_request({.manifest = manifest,
                                 .packages = packages,
                                 .left_out = {},
                                 .wheels = wheels,
                                 .known = known,
                                 .notebook_modules = notebook_modules,
-                                .libraries = workspace.offered});
+                                .libraries = result.supply.offered});
   if (!asked) return std::move(asked).errors();
-  workspace.libraries = std::move(asked->libraries);
-  workspace.python_index =
-      manifest.python_index ? manifest.python_index->value : workspace.offered.index;
-  if (workspace.libraries.empty()) workspace.python_index.clear();
-  append(workspace.warnings, asked->warnings);
-  drop_met_by_libraries(workspace.libraries, workspace.offered, known, manifest.distro, packages);
-  return std::move(asked->specs);
+  result.supply.asked = std::move(asked->libraries);
+  if (!result.supply.asked.empty())
+    result.supply.index =
+        manifest.python_index ? manifest.python_index->value : result.supply.offered.index;
+  append(notes.warnings, asked->warnings);
+  drop_met_by_libraries(result.supply.asked, result.supply.offered, known, manifest.distro,
+                        packages);
+  result.specs = std::move(asked->specs);
+  return result;
 }
 
-SiteLibraries site_libraries(const BuiltWorkspace& workspace) {
+SiteLibraries site_libraries(const Supplies& supplies) {
   SiteLibraries result;
-  for (const LockedLibrary& one : workspace.libraries) result.depends[one.project] = one.depends;
-  for (const auto& [module, project] : workspace.offered.project_of)
+  for (const LockedLibrary& one : supplies.python.asked) result.depends[one.project] = one.depends;
+  for (const auto& [module, project] : supplies.python.offered.project_of)
     if (result.depends.contains(project)) result.project_of.emplace(module, project);
-  for (const NamedWheel& one : workspace.wheels) {
+  for (const NamedWheel& one : supplies.wheels) {
     if (one.wheel.side_modules.empty()) continue;
     result.depends[one.locked.project] = required_by(one.wheel);
     for (const std::string& module : top_modules(one.wheel))
@@ -181,24 +184,24 @@ SiteLibraries site_libraries(const BuiltWorkspace& workspace) {
   return result;
 }
 
-std::set<std::string> named_libraries(const BuiltWorkspace& workspace) {
+std::set<std::string> named_libraries(const Manifest& manifest, const Supplies& supplies) {
   std::set<std::string> result;
-  for (const LockedLibrary& one : workspace.libraries)
-    if (is_asked(workspace, one.project)) result.insert(one.project);
-  for (const NamedWheel& one : workspace.wheels)
+  for (const LockedLibrary& one : supplies.python.asked)
+    if (is_asked(manifest, supplies.python, one.project)) result.insert(one.project);
+  for (const NamedWheel& one : supplies.wheels)
     if (!one.wheel.side_modules.empty()) result.insert(one.locked.project);
   return result;
 }
 
-bool hide_replaced(const BuiltWorkspace& workspace, const std::set<std::string>& reached,
-                   PythonFiles& channels) {
-  const SiteLibraries libraries = site_libraries(workspace);
+bool hide_replaced(const Manifest& manifest, const Supplies& supplies,
+                   const std::set<std::string>& reached, PythonFiles& channels) {
+  const SiteLibraries libraries = site_libraries(supplies);
   std::set<std::string> needed;
   for (std::string& one : libraries_in_order(reached, libraries.depends))
     needed.insert(std::move(one));
   bool any = false;
   for (const auto& [module, project] : libraries.project_of) {
-    if (!needed.contains(project) && !is_asked(workspace, project)) continue;
+    if (!needed.contains(project) && !is_asked(manifest, supplies.python, project)) continue;
     const std::string base = installed(module);
     any = std::erase_if(channels,
                         [&](const auto& file) {
@@ -211,26 +214,28 @@ bool hide_replaced(const BuiltWorkspace& workspace, const std::set<std::string>&
   return any;
 }
 
-Outcome<Done> add_libraries(BuiltWorkspace& workspace, const std::set<std::string>& reached,
+Outcome<Done> add_libraries(const BuiltWorkspace& workspace, const std::set<std::string>& reached,
                             PythonInput& python, std::vector<SiteComponent>& components,
-                            const Cancellation& cancellation) {
-  const SiteLibraries libraries = site_libraries(workspace);
+                            PackNotes& notes, const Cancellation& cancellation) {
+  const Supplies& supplies = workspace.supplies;
+  const std::vector<LockedLibrary>& asked = supplies.python.asked;
+  const std::string& index = supplies.python.index;
+  const SiteLibraries libraries = site_libraries(supplies);
   python.library_needs = libraries.depends;
   std::vector<LockedLibrary> wanted;
   std::set<std::string> loaded;
   Diagnostics errors;
   for (const std::string& project : libraries_in_order(reached, libraries.depends)) {
-    const auto locked =
-        std::find_if(workspace.libraries.begin(), workspace.libraries.end(),
-                     [&](const LockedLibrary& one) { return one.project == project; });
-    if (locked != workspace.libraries.end()) wanted.push_back(*locked);
+    const auto locked = std::find_if(asked.begin(), asked.end(), [&](const LockedLibrary& one) {
+      return one.project == project;
+    });
+    if (locked != asked.end()) wanted.push_back(*locked);
   }
-  auto read = read_libraries(wanted, workspace.python_index, workspace.roots, workspace.limits,
-                             cancellation);
+  auto read = read_libraries(wanted, index, supplies.roots, supplies.limits, cancellation);
   if (!read) return std::move(read).errors();
-  if (!is_network_url(workspace.python_index)) {
+  if (!is_network_url(index)) {
     for (const LockedLibrary& one : wanted)
-      workspace.watched.push_back(workspace.folder / workspace.python_index / one.file);
+      notes.watched.push_back(workspace.read.folder / index / one.file);
   }
   std::vector<std::pair<std::string, const Needs*>> modules;
   const auto add = [&](const std::string& project, const std::string& file, LibraryInput input,
@@ -243,10 +248,9 @@ Outcome<Done> add_libraries(BuiltWorkspace& workspace, const std::set<std::strin
     const bool is_wheel = one.shared.files.empty();
     add(one.locked.project, one.locked.file, is_wheel ? of_wheel(one.wheel) : of_shared(one.shared),
         is_wheel ? one.wheel.side_modules : one.shared.needed);
-    components.push_back(library_component(
-        one, workspace.python_index + (workspace.python_index.ends_with('/') ? "" : "/")));
+    components.push_back(library_component(one, index + (index.ends_with('/') ? "" : "/")));
   }
-  for (const NamedWheel& one : workspace.wheels) {
+  for (const NamedWheel& one : supplies.wheels) {
     if (!one.wheel.side_modules.empty())
       add(one.locked.project, one.file_name, of_wheel(one.wheel), one.wheel.side_modules);
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bundler/pipeline.hpp"
+#include "bundler/pack_values.hpp"
 #include "bundler/workspace/channel_request.hpp"
 
 namespace ros2wasm {
@@ -22,13 +22,18 @@ namespace ros2wasm {
 /// False for `python: index: none`.
 [[nodiscard]] bool takes_libraries(const Manifest& manifest);
 
-/// Sets `offered`, `libraries` and `python_index` of the workspace; what they bring is not asked of
-/// the channels any more. The specs are what they need of these. R2W0127, and those of
-/// offered_libraries().
-[[nodiscard]] Outcome<std::vector<RequestedSpec>> ask_for_libraries(
+/// The request to the distribution, and the packages of channels that it needs.
+struct AskedLibraries {
+  LibrarySupply supply;
+  std::vector<RequestedSpec> specs;
+};
+
+/// `packages` lose the dependencies that the libraries bring, so that no channel is asked for them.
+/// R2W0127, and those of offered_libraries().
+[[nodiscard]] Outcome<AskedLibraries> ask_for_libraries(
     const std::filesystem::path& executable, const std::vector<NamedWheel>& wheels,
     const KnownNames& known, const std::vector<Spanned<std::string>>& notebook_modules,
-    std::vector<LocalPackage>& packages, BuiltWorkspace& workspace);
+    const ReadWorkspace& read, std::vector<LocalPackage>& packages, PackNotes& notes);
 
 /// Compiled wheels of the manifest and asked libraries, as imports find them.
 struct SiteLibraries {
@@ -36,22 +41,23 @@ struct SiteLibraries {
   std::map<std::string, std::vector<std::string>> depends;  ///< by project
 };
 
-[[nodiscard]] SiteLibraries site_libraries(const BuiltWorkspace& workspace);
+[[nodiscard]] SiteLibraries site_libraries(const Supplies& supplies);
 
 /// The projects that the manifest names, as library or as compiled wheel.
-[[nodiscard]] std::set<std::string> named_libraries(const BuiltWorkspace& workspace);
+[[nodiscard]] std::set<std::string> named_libraries(const Manifest& manifest,
+                                                    const Supplies& supplies);
 
 /// Hides modules of channels that libraries replace: whatever the manifest asks for, and parts of a
 /// library under its name when some program needs more (`reached`). True when something was hidden.
-bool hide_replaced(const BuiltWorkspace& workspace, const std::set<std::string>& reached,
-                   PythonFiles& channels);
+bool hide_replaced(const Manifest& manifest, const Supplies& supplies,
+                   const std::set<std::string>& reached, PythonFiles& channels);
 
 /// Puts the files of these projects, and of what they need, into `python` and their licenses into
 /// `components`. Files of a folder are among those that a rebuild depends on. Errors of
 /// read_libraries(); R2W0245 a compiled module needs what no library has.
-[[nodiscard]] Outcome<Done> add_libraries(BuiltWorkspace& workspace,
+[[nodiscard]] Outcome<Done> add_libraries(const BuiltWorkspace& workspace,
                                           const std::set<std::string>& reached, PythonInput& python,
-                                          std::vector<SiteComponent>& components,
+                                          std::vector<SiteComponent>& components, PackNotes& notes,
                                           const Cancellation& cancellation);
 
 }  // namespace ros2wasm

@@ -34,8 +34,8 @@ std::string source_of(const BuiltWorkspace& workspace, const PythonInput& python
                       const std::string& path) {
   const auto found = python.sources.find(path);
   if (found == python.sources.end()) return path;
-  const fs::path file = (workspace.folder / found->second).lexically_normal();
-  return shown_path(file, workspace.folder, workspace.shown_folder);
+  const fs::path file = (workspace.read.folder / found->second).lexically_normal();
+  return shown_path(file, workspace.read.folder, workspace.read.shown_folder);
 }
 
 std::string installed(const std::string& path) {
@@ -52,26 +52,27 @@ std::string place_in_wheel(const std::vector<NamedWheel>& wheels, const std::str
   return path;
 }
 
-Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
+Outcome<PythonInput> read_python(const BuiltWorkspace& workspace, PackNotes& notes) {
   PythonInput input;
   std::vector<Outcome<LeftOut>> parts;
-  parts.push_back(collect_python_modules(workspace.environment, input.channels));
-  for (const InstalledPackage& package : workspace.installed) {
-    const bool is_local = package.prefix != workspace.environment;
+  const fs::path& environment = workspace.fetched.prefix;
+  parts.push_back(collect_python_modules(environment, input.channels));
+  for (const InstalledPackage& package : workspace.built.installed) {
+    const bool is_local = package.prefix != environment;
     PythonFiles& part = is_local ? input.workspace : input.channels;
     if (is_local) parts.push_back(collect_python_modules(package.prefix, part));
     parts.push_back(collect_python_scripts(package.prefix, package.name, part));
   }
   for (const auto& part : parts) {
     if (!part) return part.errors();
-    for (const std::string& one : *part) workspace.remarks.push_back("skipped " + one);
+    for (const std::string& one : *part) notes.remarks.push_back("skipped " + one);
   }
-  for (const NamedWheel& one : workspace.wheels) {
+  for (const NamedWheel& one : workspace.supplies.wheels) {
     if (!one.wheel.side_modules.empty()) continue;  // see add_libraries()
     for (const auto& [file, bytes] : one.wheel.files) input.wheels.emplace(installed(file), bytes);
   }
-  input.sources = python_sources(input.workspace, workspace.watched, workspace.folder);
-  const fs::path pyodide = workspace.environment / kPyodideFolder;
+  input.sources = python_sources(input.workspace, notes.watched, workspace.read.folder);
+  const fs::path pyodide = environment / kPyodideFolder;
   std::error_code error;
   if (!fs::is_directory(pyodide, error)) return no_pyodide("nodes of the site are Python programs");
   for (const char* name : {"pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "pyodide.js",
@@ -107,7 +108,7 @@ Outcome<InvalidFiles> invalid_files(const PackRequest& request, const BuiltWorks
   const auto mistakes = python_mistakes(
       texts, kept_python_place(*cache),
       [&] {
-        return find_launch_tools(request.executable, request.variables, workspace.environment,
+        return find_launch_tools(request.executable, request.variables, workspace.fetched.prefix,
                                  cancellation);
       },
       cancellation);
@@ -128,11 +129,11 @@ PythonWorld world_of(const BuiltWorkspace& workspace, const PythonInput& python,
           .channels = python.channels,
           .wheels = python.wheels,
           .interfaces = interfaces,
-          .channel_names = workspace.channel_names,
-          .distro = workspace.manifest.distro,
-          .libraries = site_libraries(workspace).project_of,
-          .offered = workspace.offered.project_of,
-          .takes_offered = takes_libraries(workspace.manifest)};
+          .channel_names = workspace.supplies.channel_names,
+          .distro = workspace.read.manifest.distro,
+          .libraries = site_libraries(workspace.supplies).project_of,
+          .offered = workspace.supplies.python.offered.project_of,
+          .takes_offered = takes_libraries(workspace.read.manifest)};
 }
 
 /// The libraries that a program imports, with what these need, which may be a channel's.
@@ -155,9 +156,10 @@ void take_libraries(const ImportReport& report, const PythonInput& python,
 }
 
 /// `because`: why a node is skipped for what it misses; empty: it is not, which is an error.
-Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
+Outcome<Done> check_python_imports(const BuiltWorkspace& workspace, const PythonInput& python,
                                    const InterfaceTexts& interfaces, InvalidFiles& invalid,
-                                   const std::string& because, std::vector<LaunchNode>& nodes) {
+                                   const std::string& because, std::vector<LaunchNode>& nodes,
+                                   PackNotes& notes) {
   const PythonWorld world = world_of(workspace, python, interfaces);
   Diagnostics errors;
   std::set<std::tuple<std::string, std::uint32_t, std::string>> told;
@@ -181,13 +183,13 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
       if (!told.emplace(one.span->file, one.span->line, one.message).second) continue;
       one.span->file = python.workspace.contains(one.span->file)
                            ? source_of(workspace, python, one.span->file)
-                           : place_in_wheel(workspace.wheels, one.span->file);
+                           : place_in_wheel(workspace.supplies.wheels, one.span->file);
       const bool is_warning = one.severity != Severity::kError || !because.empty();
       if (is_warning && one.severity == Severity::kError)
         one.why.push_back("`" + node.executable + "` of package `" + node.package +
                           "` is skipped for that, " + because);
       one.severity = is_warning ? Severity::kWarning : Severity::kError;
-      (is_warning ? workspace.warnings : errors).push_back(std::move(one));
+      (is_warning ? notes.warnings : errors).push_back(std::move(one));
     }
     if (can_run || because.empty()) kept.push_back(std::move(node));
   }
@@ -198,10 +200,11 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
 
 /// The same for the cells of the page's notebook: each is looked at as a program of its own, and
 /// what one imports stays imported for the next.
-Outcome<ImportReport> check_notebook_imports(BuiltWorkspace& workspace, PythonInput& python,
-                                             const InterfaceTexts& interfaces) {
-  const std::string file = shown_path(workspace.folder / workspace.manifest.ui_notebook->value,
-                                      workspace.folder, workspace.shown_folder);
+Outcome<ImportReport> check_notebook_imports(const BuiltWorkspace& workspace, PythonInput& python,
+                                             const InterfaceTexts& interfaces, PackNotes& notes) {
+  const ReadWorkspace& read = workspace.read;
+  const std::string file =
+      shown_path(read.folder / read.manifest.ui_notebook->value, read.folder, read.shown_folder);
   ImportReport all;
   Diagnostics errors;
   std::vector<PythonFiles::iterator> added;
@@ -210,7 +213,7 @@ Outcome<ImportReport> check_notebook_imports(BuiltWorkspace& workspace, PythonIn
         python.workspace.emplace(std::string(kPythonModules) + "/" + std::string(module), "");
     if (is_new) added.push_back(place);
   }
-  for (const NotebookCell& cell : workspace.notebook->code) {
+  for (const NotebookCell& cell : read.notebook->code) {
     const std::string name = cell_name(file, cell);
     // No file of an installation has this name.
     const std::string script = std::string(kCellFolder) + name;
@@ -221,10 +224,11 @@ Outcome<ImportReport> check_notebook_imports(BuiltWorkspace& workspace, PythonIn
     for (Diagnostic& one : report.missing) {
       const std::string& where = one.span->file;
       const auto own = python.workspace.find(where);
-      one.span->file = where == script                 ? name
-                       : own == python.workspace.end() ? place_in_wheel(workspace.wheels, where)
-                                                       : source_of(workspace, python, where);
-      (one.severity == Severity::kError ? errors : workspace.warnings).push_back(std::move(one));
+      one.span->file = where == script ? name
+                       : own == python.workspace.end()
+                           ? place_in_wheel(workspace.supplies.wheels, where)
+                           : source_of(workspace, python, where);
+      (one.severity == Severity::kError ? errors : notes.warnings).push_back(std::move(one));
     }
     python.workspace.erase(script);
   }
@@ -248,27 +252,28 @@ void collect_libraries(const PythonWorld& world, const std::vector<LaunchNode>& 
 
 /// All projects of libraries that some program or cell imports. What the manifest names and no
 /// program imports is there for all.
-Outcome<std::set<std::string>> reached_libraries(BuiltWorkspace& workspace, PythonInput& python,
-                                                 const PlanInput& input) {
+Outcome<std::set<std::string>> reached_libraries(const BuiltWorkspace& workspace,
+                                                 PythonInput& python, const PlanInput& input) {
   std::set<std::string> reached;
-  const SiteLibraries libraries = site_libraries(workspace);
+  const Manifest& manifest = workspace.read.manifest;
+  const Supplies& supplies = workspace.supplies;
+  const SiteLibraries libraries = site_libraries(supplies);
   if (libraries.depends.empty()) return reached;
-  hide_replaced(workspace, {}, python.channels);
+  hide_replaced(manifest, supplies, {}, python.channels);
   do {
     const PythonWorld world = world_of(workspace, python, input.interfaces);
     collect_libraries(world, input.nodes, reached);
     collect_libraries(world, input.more_nodes, reached);
     if (input.notebook) {
-      const Diagnostics before = workspace.warnings;
-      auto report = check_notebook_imports(workspace, python, input.interfaces);
-      workspace.warnings = before;  // told when the rest is checked
+      PackNotes ignored;  // these are reported when the rest is checked
+      auto report = check_notebook_imports(workspace, python, input.interfaces, ignored);
       if (report) reached.merge(report->libraries);
     }
-  } while (hide_replaced(workspace, reached, python.channels));
+  } while (hide_replaced(manifest, supplies, reached, python.channels));
   std::set<std::string> there;
   for (std::string& one : libraries_in_order(reached, libraries.depends))
     there.insert(std::move(one));
-  for (const std::string& one : named_libraries(workspace))
+  for (const std::string& one : named_libraries(manifest, supplies))
     if (!there.contains(one)) python.for_all.insert(one);
   reached.insert(python.for_all.begin(), python.for_all.end());
   return reached;
@@ -281,18 +286,19 @@ bool has_python(const std::vector<LaunchNode>& nodes) {
 
 }  // namespace
 
-Outcome<Done> add_python(const PackRequest& request, BuiltWorkspace& workspace, PlanInput& input,
+Outcome<Done> add_python(const PackRequest& request, const BuiltWorkspace& workspace,
+                         bool nodes_by_default, PlanInput& input, PackNotes& notes,
                          const Cancellation& cancellation) {
   const bool is_needed = has_python(input.nodes) || input.notebook;
   if (!is_needed && !has_python(input.more_nodes)) return Done{};
-  auto python = read_python(workspace);
+  auto python = read_python(workspace, notes);
   if (!python && is_needed) return std::move(python).errors();
   if (!python) {
     std::erase_if(input.more_nodes,
                   [](const LaunchNode& node) { return node.kind == ProgramKind::kPython; });
     for (Diagnostic& one : std::move(python).errors()) {
       one.severity = Severity::kWarning;
-      workspace.warnings.push_back(std::move(one));
+      notes.warnings.push_back(std::move(one));
     }
     return Done{};
   }
@@ -300,13 +306,15 @@ Outcome<Done> add_python(const PackRequest& request, BuiltWorkspace& workspace, 
   if (!invalid) return std::move(invalid).errors();
   const auto reached = reached_libraries(workspace, *python, input);
   if (!reached) return reached.errors();
-  if (auto added = add_libraries(workspace, *reached, *python, input.components, cancellation);
+  if (auto added =
+          add_libraries(workspace, *reached, *python, input.components, notes, cancellation);
       !added)
     return added;
   const auto check = [&](const char* because, std::vector<LaunchNode>& nodes) {
-    return check_python_imports(workspace, *python, input.interfaces, *invalid, because, nodes);
+    return check_python_imports(workspace, *python, input.interfaces, *invalid, because, nodes,
+                                notes);
   };
-  const char* by_default = workspace.nodes_by_default ? "as the manifest names no nodes" : "";
+  const char* by_default = nodes_by_default ? "as the manifest names no nodes" : "";
   if (auto met = check(by_default, input.nodes); !met) return met;
   if (auto met = check("as it does not run from the start", input.more_nodes); !met) return met;
   for (auto& [path, one] : invalid->by_path) {
@@ -314,15 +322,15 @@ Outcome<Done> add_python(const PackRequest& request, BuiltWorkspace& workspace, 
     one.severity = Severity::kWarning;
     one.span->file = source_of(workspace, *python, path);
     one.why.emplace_back("no node of the site imports it");
-    workspace.warnings.push_back(std::move(one));
+    notes.warnings.push_back(std::move(one));
   }
   if (input.notebook) {
-    const auto report = check_notebook_imports(workspace, *python, input.interfaces);
+    const auto report = check_notebook_imports(workspace, *python, input.interfaces, notes);
     if (!report) return report.errors();
     take_libraries(*report, *python, input.notebook->libraries, input.notebook->compiled);
   }
   input.python = std::move(*python);
-  for (const InstalledPackage& package : workspace.installed)
+  for (const InstalledPackage& package : workspace.built.installed)
     input.python_index.push_back(package.name);
   return Done{};
 }

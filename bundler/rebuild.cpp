@@ -9,6 +9,7 @@
 #include "bundler/archive/zip_files.hpp"
 #include "bundler/carried_sources.hpp"
 #include "bundler/io/files.hpp"
+#include "bundler/pipeline.hpp"
 #include "bundler/verify/open_site.hpp"
 #include "bundler/verify/site_check.hpp"
 
@@ -121,7 +122,7 @@ Outcome<RebuildReport> rebuild(const RebuildRequest& request, const Cancellation
   if (!made) return made.errors();
   auto differences = site_differences(compared(*given), compared(*made));
   if (!differences) return std::move(differences).errors();
-  Diagnostics warnings = packed->warnings;
+  Diagnostics warnings = packed->notes.warnings;
   if (!check->unlisted.empty())
     warnings.insert(warnings.begin(), unlisted_files(check->unlisted, request.site.string()));
   return RebuildReport{.sha256 = given->list.hash,
@@ -129,7 +130,7 @@ Outcome<RebuildReport> rebuild(const RebuildRequest& request, const Cancellation
                        .generator = given->list.generator,
                        .differences = std::move(*differences),
                        .warnings = std::move(warnings),
-                       .remarks = packed->remarks};
+                       .remarks = packed->notes.remarks};
 }
 
 }  // namespace ros2wasm

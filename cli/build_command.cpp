@@ -60,15 +60,15 @@ int run(Context& context, const Options& options) {
                                 .quick = options.quick},
                                context.cancellation, context.progress);
   if (!workspace) return context.console.fail(workspace.errors());
-  for (const Diagnostic& warning : workspace->warnings) context.console.report(warning);
-  for (const std::string& remark : workspace->remarks) context.console.remark(remark);
+  for (const Diagnostic& warning : workspace->notes.warnings) context.console.report(warning);
+  for (const std::string& remark : workspace->notes.remarks) context.console.remark(remark);
   if (options.plan) {
-    print_plan(context, workspace->planned);
+    print_plan(context, workspace->built.planned);
     return 0;
   }
   JsonWriter json;
   json.begin_array();
-  for (const BuiltPackage& package : workspace->packages) {
+  for (const BuiltPackage& package : workspace->built.packages) {
     json.begin_object().field("package", package.name).field("prefix", package.prefix.string());
     json.field_boolean("from_cache", package.from_cache).end_object();
     if (!context.json) context.console.result(package.name + "  " + package.prefix.string());

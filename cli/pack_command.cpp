@@ -168,8 +168,8 @@ int run(Context& context, const Options& options) {
     if (auto done = precompress_site(report->output, context.cancellation); !done)
       return context.console.fail(done.errors());
   }
-  for (const Diagnostic& warning : report->warnings) context.console.report(warning);
-  for (const std::string& remark : report->remarks) context.console.remark(remark);
+  for (const Diagnostic& warning : report->notes.warnings) context.console.report(warning);
+  for (const std::string& remark : report->notes.remarks) context.console.remark(remark);
   if (context.json) {
     print_json(context.console, *report, !options.plan);
   } else if (options.plan) {

@@ -58,10 +58,10 @@ int WatchedPack::pack_now() {
   SiteState state{.version = site_version(site_), .problems = {}};
   int exit_code = 0;
   if (report) {
-    for (const Diagnostic& warning : report->warnings) context_.console.report(warning);
-    for (const std::string& remark : report->remarks) context_.console.remark(remark);
-    accept_new_roots(report->watched);
-    watched_ = std::move(report->watched);
+    for (const Diagnostic& warning : report->notes.warnings) context_.console.report(warning);
+    for (const std::string& remark : report->notes.remarks) context_.console.remark(remark);
+    accept_new_roots(report->notes.watched);
+    watched_ = std::move(report->notes.watched);
   } else {
     state.problems = problem_text(report.errors());
     exit_code = context_.console.fail(report.errors());

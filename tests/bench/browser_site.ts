@@ -1,6 +1,6 @@
 // A page of a folder with shared memory, in a browser of its own.
 import { chromium, type Page } from 'playwright-core';
-import { wholeChromium } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/support/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 
 /** `use` gets an empty page, the browser's process, and the address of the folder. */

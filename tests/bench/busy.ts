@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium, type CDPSession, type Page } from 'playwright-core';
-import { wholeChromium, kSoftwareWebGl } from '../e2e/chromium.ts';
+import { wholeChromium, kSoftwareWebGl } from '../e2e/support/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { AIM_MS, type FrameFigures, frameFigures, gaps } from './frame_gaps.ts';
 import { machineLoad } from './machine_load.ts';

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
-import { wholeChromium } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/support/chromium.ts';
 import type { StaticServer } from '../support/static_server.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { interactive, type Load, QUIET_MS, type Task } from './quiet_time.ts';

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
-import { wholeChromium } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/support/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import type { PaperTask } from './paper_worker.ts';
 

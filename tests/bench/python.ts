@@ -10,7 +10,7 @@ import { createInterface } from 'node:readline';
 import { setTimeout as setTimer } from 'node:timers/promises';
 import { brotliCompressSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
-import { makeSite } from '../e2e/runtime_site.ts';
+import { makeSite } from '../e2e/support/runtime_site.ts';
 import { eventually } from '../support/eventually.ts';
 import { inBrowser } from './browser_site.ts';
 import { peerIsThere, peerRoundTrip, peerThroughput, places } from './link.ts';

@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { wholeChromium } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/support/chromium.ts';
 import { treeMemoryKb } from './process_memory.ts';
 import { benchPageLoad } from './page_load.ts';
 import type { BenchContext } from './run.ts';

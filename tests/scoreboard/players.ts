@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
 import { nodePlatform } from '../../runtime/site/session/node_platform.ts';
-import { wholeChromium } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/support/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { type Asked, type Played, play } from './play.ts';
 import { posted } from './posted.ts';

@@ -12,7 +12,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { type Browser, chromium, type Page } from 'playwright-core';
-import { chromiumOptions } from '../../e2e/chromium.ts';
+import { chromiumOptions } from '../../e2e/support/chromium.ts';
 import { type StaticServer, serveFolder } from '../../support/static_server.ts';
 import { addPyodide } from '../../support/python_nodes.ts';
 import { allScenes } from './all_scenes.ts';

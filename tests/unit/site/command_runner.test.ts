@@ -1,5 +1,5 @@
 // Commands of ros2 as processes of a launch: states, lines, exit codes, Ctrl-C, the launch's rules. What runs them here says
-// what it is told; the real ones are in tests/e2e/launch_commands.test.ts.
+// what it is told; the real ones are in tests/e2e/launch/launch_commands.test.ts.
 
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';

@@ -78,15 +78,21 @@ class SecondTryTest(unittest.TestCase):
         self.assertIn("endless.test.mjs", printed.getvalue())
 
 
+def end_to_end(name: str) -> Path:
+    """The file of this name; their folders are its subjects."""
+    found, = (ROOT / "tests" / "e2e").rglob(f"{name}.test.ts")
+    return found
+
+
 class SuitesTest(unittest.TestCase):
     def test_a_test_that_opens_a_browser_is_known_by_what_it_imports(self) -> None:
         for name, expected in {"page": True, "firefox": True, "scoreboard": True, "page_turtlesim": True,
                                "pack": False, "rclcpp": False}.items():
-            self.assertEqual(opens_browser(ROOT / "tests" / "e2e" / f"{name}.test.ts"), expected, name)
+            self.assertEqual(opens_browser(end_to_end(name)), expected, name)
 
     def test_the_longest_files_exist(self) -> None:
         for name in LONGEST:
-            self.assertTrue((ROOT / "tests" / "e2e" / f"{name}.test.ts").is_file(), name)
+            self.assertTrue(end_to_end(name).is_file(), name)
 
     def test_every_test_file_is_in_one_suite(self) -> None:
         words = [word for suite in suites(ROOT / "build", bless=False) for word in (*suite.command, *suite.files)]
@@ -140,7 +146,7 @@ BROWSER = sample("browser", range(40, 60))
 
 class FilesTest(unittest.TestCase):
     def test_the_files_of_two_suites_are_mixed_and_the_long_ones_begin(self) -> None:
-        long = replace(BROWSER, files=(*BROWSER.files, str(ROOT / "tests/e2e/scoreboard.test.ts")))
+        long = replace(BROWSER, files=(*BROWSER.files, str(ROOT / "tests/e2e/nodes/scoreboard.test.ts")))
         order = in_order([E2E, long])
         self.assertEqual(sorted(file for _, file in order), sorted([*E2E.files, *long.files]))
         self.assertEqual(Path(order[0][1]).name, "scoreboard.test.ts")

@@ -1,4 +1,4 @@
-// Ports and addresses. What is answered is tested from outside, in tests/e2e/serve.test.ts.
+// Ports and addresses. What is answered is tested from outside, in tests/e2e/serve/serve.test.ts.
 #include "bundler/serve/http_server.hpp"
 
 #include <gtest/gtest.h>

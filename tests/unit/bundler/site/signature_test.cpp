@@ -1,5 +1,5 @@
 // Keys and signatures in minisign's format, whole and hostile. What minisign itself says of them:
-// tests/e2e/signature.test.ts.
+// tests/e2e/pack/signature.test.ts.
 #include "bundler/site/signature.hpp"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@ import { type Plugin, transformSync } from 'esbuild';
 
 export type Sentences = Readonly<Record<string, string>>;
 
-type Tree = Readonly<Record<string, unknown>> & { readonly start: number; readonly end: number };
+type Tree = Readonly<Record<string, unknown>> & { readonly start: number; readonly end: number; };
 
 /** Files whose words are all read by visitors. */
 const wordsOfChecks = /\/check_(words|looks)\.ts$/;
@@ -31,7 +31,7 @@ const has = (table: Sentences, text: string): boolean => Object.hasOwn(table, te
 function english(node: Tree): string | undefined {
   if (node['type'] === 'Literal') return typeof node['value'] === 'string' ? node['value'] : undefined;
   if (node['type'] !== 'TemplateLiteral') return undefined;
-  return trees(node['quasis']).map(({ value }, i) => `${i === 0 ? '' : `{${i}}`}${(value as { cooked: string }).cooked}`).join('');
+  return trees(node['quasis']).map(({ value }, i) => `${i === 0 ? '' : `{${i}}`}${(value as { cooked: string; }).cooked}`).join('');
 }
 
 /** The literals that visitors read, outer ones before those that are put into them. */

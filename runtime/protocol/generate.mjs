@@ -30,8 +30,7 @@ function layout(struct) {
 }
 
 function cpp() {
-  const out = [`// ${note}`, '#pragma once', '', '#include <cstddef>', '#include <cstdint>', '',
-    'namespace ros2wasm::protocol', '{', ''];
+  const out = [`// ${note}`, '#pragma once', '', '#include <cstddef>', '#include <cstdint>', '', 'namespace ros2wasm::protocol', '{', ''];
   for (const { name, value, doc } of source.values) {
     out.push(`/// ${doc}`, `inline constexpr int32_t k${pascal(name)} = ${value};`);
   }
@@ -95,8 +94,7 @@ function py() {
   out.push('');
   for (const struct of source.structs) {
     const fields = layout(struct);
-    out.push('', `#: struct format. ${struct.doc}`,
-      `${upper(snake(struct.name))}_FORMAT = "<${fields.map((f) => formats[f.type]).join('')}"`);
+    out.push('', `#: struct format. ${struct.doc}`, `${upper(snake(struct.name))}_FORMAT = "<${fields.map((f) => formats[f.type]).join('')}"`);
   }
   out.push('');
   return out.join('\n');
@@ -105,9 +103,13 @@ function py() {
 const check = process.argv.includes('--check');
 let stale = 0;
 mkdirSync(new URL('generated/', here), { recursive: true });
-for (const [file, text] of [
-  ['protocol/generated/constants.hpp', cpp()], ['protocol/generated/constants.ts', ts()], ['packages/client/rclpy/ros2wasm/constants.py', py()],
-]) {
+for (
+  const [file, text] of [
+    ['protocol/generated/constants.hpp', cpp()],
+    ['protocol/generated/constants.ts', ts()],
+    ['packages/client/rclpy/ros2wasm/constants.py', py()],
+  ]
+) {
   const url = new URL(`../${file}`, here);
   if (!check) {
     writeFileSync(url, text);

@@ -22,7 +22,12 @@ export function receive() {
     pieces.push(pending);
     const buffer = Buffer.alloc(bufferSize);
     let count;
-    try { count = readSync(input, buffer); } catch (error) { if (error.code === again) continue; throw error; }
+    try {
+      count = readSync(input, buffer);
+    } catch (error) {
+      if (error.code === again) continue;
+      throw error;
+    }
     if (count === 0) return undefined;
     pending = buffer.subarray(0, count);
   }
@@ -32,6 +37,10 @@ export function receive() {
 export function send(text) {
   let bytes = Buffer.from(`${text}\n`);
   while (bytes.length > 0) {
-    try { bytes = bytes.subarray(writeSync(output, bytes)); } catch (error) { if (error.code !== again) throw error; }
+    try {
+      bytes = bytes.subarray(writeSync(output, bytes));
+    } catch (error) {
+      if (error.code !== again) throw error;
+    }
   }
 }

@@ -25,23 +25,45 @@ const digest = (bytes) => createHash('sha256').update(bytes).digest('hex');
 /** For FS.mount(). `fs`: Pyodide's; options: `from`, a path without links, and `at`, where it is mounted. `seen`: a Map to fill. */
 export function mountedFiles(fs, seen) {
   /** Records the state of a path. A more exact state, such as one with a hash, stays. */
-  const note = (path, state) => { if (!startsWith(`${seen.get(path)} `, `${state} `)) seen.set(path, state); };
-  const refuse = (code) => { throw new fs.ErrnoError(code); };
+  const note = (path, state) => {
+    if (!startsWith(`${seen.get(path)} `, `${state} `)) seen.set(path, state);
+  };
+  const refuse = (code) => {
+    throw new fs.ErrnoError(code);
+  };
   const node = (parent, name, path, root, at, facts) => {
     const result = fs.createNode(parent, name, facts.isDirectory() ? directory : regular, 0);
     return Object.assign(result, { path, root, at, bytes: facts.isDirectory() ? 4096 : facts.size, node_ops: nodes, stream_ops: streams });
   };
   const nodes = {
     getattr: (of) => ({
-      dev: 1, ino: of.id, mode: of.mode, nlink: 1, uid: 0, gid: 0, rdev: 0, size: of.bytes,
-      atime: someTime, mtime: someTime, ctime: someTime, blksize: 4096, blocks: Math.ceil(of.bytes / 4096),
+      dev: 1,
+      ino: of.id,
+      mode: of.mode,
+      nlink: 1,
+      uid: 0,
+      gid: 0,
+      rdev: 0,
+      size: of.bytes,
+      atime: someTime,
+      mtime: someTime,
+      ctime: someTime,
+      blksize: 4096,
+      blocks: Math.ceil(of.bytes / 4096),
     }),
     lookup(parent, name) {
       let path;
       if (isHidden(name)) refuse(notThere);
       const at = `${parent.at}/${name}`;
-      const refuseIt = () => { note(at, 'none'); refuse(notThere); };
-      try { path = realpathSync.native(join(parent.path, name)); } catch { refuseIt(); }
+      const refuseIt = () => {
+        note(at, 'none');
+        refuse(notThere);
+      };
+      try {
+        path = realpathSync.native(join(parent.path, name));
+      } catch {
+        refuseIt();
+      }
       if (!isOpen(parent.root, path)) refuseIt();
       const facts = statSync(path);
       if (!facts.isDirectory() && !facts.isFile()) refuseIt();
@@ -50,13 +72,21 @@ export function mountedFiles(fs, seen) {
     },
     readdir(of) {
       let names;
-      try { names = readdirSync(of.path); } catch { refuse(notPermitted); }
+      try {
+        names = readdirSync(of.path);
+      } catch {
+        refuse(notPermitted);
+      }
       const shown = names.filter((name) => !isHidden(name)).sort();
       note(`${of.at}/`, `names ${digest(shown.map((name) => `${name}\n`).join(''))}`);
       return ['.', '..', ...shown];
     },
-    setattr: () => refuse(readOnly), mknod: () => refuse(readOnly), rename: () => refuse(readOnly),
-    unlink: () => refuse(readOnly), rmdir: () => refuse(readOnly), symlink: () => refuse(readOnly),
+    setattr: () => refuse(readOnly),
+    mknod: () => refuse(readOnly),
+    rename: () => refuse(readOnly),
+    unlink: () => refuse(readOnly),
+    rmdir: () => refuse(readOnly),
+    symlink: () => refuse(readOnly),
     readlink: () => refuse(invalid),
   };
   const streams = {

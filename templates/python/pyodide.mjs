@@ -23,7 +23,9 @@ function seededBytes() {
     mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
     return (mixed ^ (mixed >>> 14)) & 0xff;
   };
-  const restart = () => { state = someSeed; };
+  const restart = () => {
+    state = someSeed;
+  };
   restart();
   const fill = (view) => {
     const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
@@ -50,7 +52,10 @@ export async function startPython(folder, environment = {}) {
   python.runPython(`import os, random\nos.environ.update(${JSON.stringify(env)})\nrandom.seed()\ndel os, random`);
   Date.now = () => someDay;
   let looks = 0; // a time that is waited for comes: each look at it is a millisecond
-  performance.now = () => { looks += 1; return looks; };
+  performance.now = () => {
+    looks += 1;
+    return looks;
+  };
   for (const name of doors) python.unregisterJsModule(name);
   // Their submodules too, such as pyodide_js._api.
   python.runPython(`import sys

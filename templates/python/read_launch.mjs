@@ -21,7 +21,12 @@ for (const { at, from } of [{ at: tools, from: fileURLToPath(new URL('launch_mod
   python.FS.mkdirTree(at);
   python.FS.mount(files, { from, at }, at);
 }
-python.registerJsModule('ros2wasm_host', { ask: (text) => { send(text); return receive(); } });
+python.registerJsModule('ros2wasm_host', {
+  ask: (text) => {
+    send(text);
+    return receive();
+  },
+});
 python.globals.set('places', [tools, ...modules].join(':'));
 const answer = python.runPython(`
 import sys

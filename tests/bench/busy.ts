@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium, type CDPSession, type Page } from 'playwright-core';
-import { wholeChromium, kSoftwareWebGl } from '../e2e/support/chromium.ts';
+import { wholeChromium, SOFTWARE_WEB_GL } from '../e2e/support/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { AIM_MS, type FrameFigures, frameFigures, gaps } from './frame_gaps.ts';
 import { machineLoad } from './machine_load.ts';
@@ -55,13 +55,21 @@ interface Seen {
 
 /** Why an aim was missed; empty: none was. The machine's own share is what the bare page has in the same browser. */
 function missed(
-  panels: string, found: FrameFigures, seen: Seen, limit: FrameFigures, minutes: number, rises: readonly number[],
+  panels: string,
+  found: FrameFigures,
+  seen: Seen,
+  limit: FrameFigures,
+  minutes: number,
+  rises: readonly number[],
 ): string {
   const said: string[] = [];
-  for (const [what, rate, sent] of [
-    ['numbers', seen.heard_per_second, NUMBERS * NUMBER_HZ], ['clouds', seen.clouds_per_second, CLOUD.hz],
-    ['pictures', seen.pictures_per_second, IMAGE_HZ],
-  ] as const)
+  for (
+    const [what, rate, sent] of [
+      ['numbers', seen.heard_per_second, NUMBERS * NUMBER_HZ],
+      ['clouds', seen.clouds_per_second, CLOUD.hz],
+      ['pictures', seen.pictures_per_second, IMAGE_HZ],
+    ] as const
+  )
     if (!(rate >= LEAST_HEARD * sent)) said.push(`${rate} ${what} a second, not ${sent}`);
   if (panels === WITH_3D && seen.drawings_3d === 0) said.push('the 3D view drew nothing');
   // Where the bare page itself has slow frames, or the processor draws the 3D view, one frame more than the bare page's is allowed.
@@ -87,7 +95,7 @@ function rise(samples: readonly number[]): number {
 }
 
 /** The messages that the listener received in its newest whole second. */
-async function heardPerSecond(page: Page): Promise<{ readonly numbers: number; readonly clouds: number }> {
+async function heardPerSecond(page: Page): Promise<{ readonly numbers: number; readonly clouds: number; }> {
   const text = await page.evaluate(() => document.body.textContent ?? '');
   const [, numbers, clouds] = [...text.matchAll(HEARD)].at(-1) ?? [];
   return { numbers: Number(numbers), clouds: Number(clouds) };
@@ -95,20 +103,19 @@ async function heardPerSecond(page: Page): Promise<{ readonly numbers: number; r
 
 /** Has the page count the pictures that the panel Image draws. */
 function countPictures(): void {
-  const counting = globalThis as { pictures?: number };
+  const counting = globalThis as { pictures?: number; };
   counting.pictures = 0;
   const put = CanvasRenderingContext2D.prototype.putImageData;
-  CanvasRenderingContext2D.prototype.putImageData = function (this: CanvasRenderingContext2D, ...given: unknown[]) {
+  CanvasRenderingContext2D.prototype.putImageData = function(this: CanvasRenderingContext2D, ...given: unknown[]) {
     counting.pictures! += 1;
     Reflect.apply(put, this, given);
   };
 }
 
-const pictures = (page: Page): Promise<number> => page.evaluate(() => (globalThis as { pictures?: number }).pictures ?? 0);
+const pictures = (page: Page): Promise<number> => page.evaluate(() => (globalThis as { pictures?: number; }).pictures ?? 0);
 
 /** Pictures that the 3D view has drawn; 0 without one. */
-const drawings = (page: Page): Promise<number> =>
-  page.evaluate(() => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? 0));
+const drawings = (page: Page): Promise<number> => page.evaluate(() => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? 0));
 
 /** The resolution of the 3D view, as a share of the screen's; null without a 3D view. */
 const resolution = (page: Page): Promise<number | null> =>
@@ -135,16 +142,32 @@ async function run(context: BenchContext, page: Page, pid: number, panels: strin
   }
   const seconds = (performance.now() - begin) / 1000;
   const seen: Seen = {
-    heard_per_second: summary(numbers).median, clouds_per_second: summary(clouds).median,
-    pictures_per_second: rounded((await pictures(page) - shown) / seconds), drawings_3d: await drawings(page) - drawn,
+    heard_per_second: summary(numbers).median,
+    clouds_per_second: summary(clouds).median,
+    pictures_per_second: rounded((await pictures(page) - shown) / seconds),
+    drawings_3d: await drawings(page) - drawn,
   };
   const figures = frameFigures(found);
   const why = missed(panels, figures, seen, limit, minutes, [rise(heap), rise(processes)]);
   if (why !== '') context.fail(why);
   context.emit({
-    bench: 'busy', panels, minutes, nodes: NUMBERS + 3, numbers_per_second: NUMBERS * NUMBER_HZ,
-    image_hz: IMAGE_HZ, cloud: CLOUD, ...seen, resolution_3d: await resolution(page), ...figures, aim_p95_ms: AIM_MS,
-    heap_kb: heap.at(-1), heap_rise: rise(heap), processes_kb: processes.at(-1), processes_rise: rise(processes), limit, machine_load: machineLoad(),
+    bench: 'busy',
+    panels,
+    minutes,
+    nodes: NUMBERS + 3,
+    numbers_per_second: NUMBERS * NUMBER_HZ,
+    image_hz: IMAGE_HZ,
+    cloud: CLOUD,
+    ...seen,
+    resolution_3d: await resolution(page),
+    ...figures,
+    aim_p95_ms: AIM_MS,
+    heap_kb: heap.at(-1),
+    heap_rise: rise(heap),
+    processes_kb: processes.at(-1),
+    processes_rise: rise(processes),
+    limit,
+    machine_load: machineLoad(),
   });
 }
 
@@ -161,7 +184,7 @@ export async function benchBusy(context: BenchContext): Promise<void> {
     ]);
     const host = await serveFolder(site, { isolated: true });
     for (const [panels, layout] of Object.entries(LAYOUTS)) {
-      const server = await chromium.launchServer(wholeChromium(kSoftwareWebGl));
+      const server = await chromium.launchServer(wholeChromium(SOFTWARE_WEB_GL));
       const browser = await chromium.connect(server.wsEndpoint());
       try {
         const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });

@@ -18,13 +18,15 @@ const CHANGED_RUNS = 3;
 const COLD_RATIO_AIM = 1.5;
 const UNCHANGED_AIM_MS = 1_000;
 
-const packageXml = (name: string, type: string, depends: readonly string[], more = ''): string => `<package format="3">
+const packageXml = (name: string, type: string, depends: readonly string[], more = ''): string =>
+  `<package format="3">
   <name>${name}</name><version>1.0.0</version><description>A package of a bench</description>
   <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
   ${depends.map((one) => `<depend>${one}</depend>`).join('')}${more}<export><build_type>${type}</build_type></export>
 </package>
 `;
-const node = (i: number, says: string): string => `#include <rclcpp/rclcpp.hpp>
+const node = (i: number, says: string): string =>
+  `#include <rclcpp/rclcpp.hpp>
 #include <bench_msgs_${i % MESSAGES}/msg/reading.hpp>
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
@@ -47,8 +49,8 @@ function writePackages(folder: string): void {
   };
   for (let i = 0; i < MESSAGES; ++i) {
     const name = `bench_msgs_${i}`;
-    write(`${name}/package.xml`, packageXml(name, 'ament_cmake', ['rosidl_default_generators', 'rosidl_default_runtime'],
-      '<member_of_group>rosidl_interface_packages</member_of_group>'));
+    write(`${name}/package.xml`,
+      packageXml(name, 'ament_cmake', ['rosidl_default_generators', 'rosidl_default_runtime'], '<member_of_group>rosidl_interface_packages</member_of_group>'));
     write(`${name}/CMakeLists.txt`, `cmake_minimum_required(VERSION 3.8)\nproject(${name})\nfind_package(ament_cmake REQUIRED)
 find_package(rosidl_default_generators REQUIRED)\nrosidl_generate_interfaces(\${PROJECT_NAME} "msg/Reading.msg")\nament_package()\n`);
     write(`${name}/msg/Reading.msg`, 'string label\nfloat64[] values\n');
@@ -100,16 +102,25 @@ export function benchChannelBuild(context: BenchContext): void {
     const unchangedMs = summary(unchanged.map((one) => one.wallMs));
     const ratio = cold.wallMs / bare.wallMs;
     context.emit({
-      bench: 'channel_build', packages: MESSAGES + PROGRAMS + SCRIPTS,
-      cold_ms: Math.round(cold.wallMs), cold_cpu_ms: Math.round(cold.cpuMs), cold_peak_kb: cold.peakKb,
+      bench: 'channel_build',
+      packages: MESSAGES + PROGRAMS + SCRIPTS,
+      cold_ms: Math.round(cold.wallMs),
+      cold_cpu_ms: Math.round(cold.cpuMs),
+      cold_peak_kb: cold.peakKb,
       peer: 'em++ alone for the same sources: the same compile commands, its own link with -O2, two packages at a time',
-      peer_ms: Math.round(bare.wallMs), peer_cpu_ms: Math.round(bare.cpuMs),
-      cold_ratio: Number(ratio.toFixed(2)), cold_ratio_aim: COLD_RATIO_AIM,
+      peer_ms: Math.round(bare.wallMs),
+      peer_cpu_ms: Math.round(bare.cpuMs),
+      cold_ratio: Number(ratio.toFixed(2)),
+      cold_ratio_aim: COLD_RATIO_AIM,
       one_changed_ms: summary(changed.map((one) => one.wallMs)),
-      unchanged_ms: unchangedMs, unchanged_aim_ms: UNCHANGED_AIM_MS, load: machineLoad(),
+      unchanged_ms: unchangedMs,
+      unchanged_aim_ms: UNCHANGED_AIM_MS,
+      load: machineLoad(),
     });
-    if (ratio > COLD_RATIO_AIM) context.fail(`channel_build: the cold run took ${ratio.toFixed(2)} times the bare compiler, ${String(COLD_RATIO_AIM)} is the aim`);
-    if (unchangedMs.median > UNCHANGED_AIM_MS) context.fail(`channel_build: nothing changed took ${String(Math.round(unchangedMs.median))} ms, ${String(UNCHANGED_AIM_MS)} are the aim`);
+    if (ratio > COLD_RATIO_AIM)
+      context.fail(`channel_build: the cold run took ${ratio.toFixed(2)} times the bare compiler, ${String(COLD_RATIO_AIM)} is the aim`);
+    if (unchangedMs.median > UNCHANGED_AIM_MS)
+      context.fail(`channel_build: nothing changed took ${String(Math.round(unchangedMs.median))} ms, ${String(UNCHANGED_AIM_MS)} are the aim`);
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

@@ -29,7 +29,7 @@ function processorTime(pid: number): number {
 }
 
 /** How much of one core a running site takes, in percent; and what it printed. */
-async function share(context: BenchContext, site: string, control: boolean): Promise<{ percent: number; text: string }> {
+async function share(context: BenchContext, site: string, control: boolean): Promise<{ percent: number; text: string; }> {
   const run = spawn(join(context.build, 'ros2wasm'), ['run', site, `control:=${String(control)}`, '--for', `${String((WARM_UP_MS + WINDOW_MS) / 1000 + 4)}s`]);
   let text = '';
   run.stdout.on('data', (bytes: Buffer) => (text += bytes.toString()));
@@ -80,8 +80,16 @@ export async function benchControl(context: BenchContext): Promise<void> {
     if (cpu.median > SHARE_AIM) context.fail(`control: the manager takes ${String(cpu.median)} % of a core, the aim is ${String(SHARE_AIM)}`);
     for (const [place, all] of Object.entries({ 'Node.js': inNode, Chromium: inPage })) {
       const p99 = summary(all.map((one) => one.p99));
-      context.emit({ bench: 'control', what: `ms from the time of an update, p99, ${place}`, ...p99, worst: Math.max(...all.map((one) => one.worst)), aim: JITTER_AIM_MS, load: machineLoad() });
-      if (p99.median > JITTER_AIM_MS) context.fail(`control: ${place}: an update is ${String(p99.median)} ms late or early, the aim is ${String(JITTER_AIM_MS)}`);
+      context.emit({
+        bench: 'control',
+        what: `ms from the time of an update, p99, ${place}`,
+        ...p99,
+        worst: Math.max(...all.map((one) => one.worst)),
+        aim: JITTER_AIM_MS,
+        load: machineLoad(),
+      });
+      if (p99.median > JITTER_AIM_MS)
+        context.fail(`control: ${place}: an update is ${String(p99.median)} ms late or early, the aim is ${String(JITTER_AIM_MS)}`);
     }
     for (const name of ['ros2_control_node', 'spawner']) {
       const program = readFileSync(join(site, `programs/controller_manager/${name}.wasm`));

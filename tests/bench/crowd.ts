@@ -24,7 +24,7 @@ interface CrowdPage {
   gather(nodes: number, topicsEach: number, bytes: number): Promise<void>;
   measureCrowd(tasks: readonly CrowdTask[]): Promise<CrowdFigures>;
   disperse(): void;
-  countMemories(): { count: number; error: string };
+  countMemories(): { count: number; error: string; };
 }
 
 /** User and system time of a process and all that it started, in ms. */
@@ -57,32 +57,53 @@ export async function benchCrowd(context: BenchContext): Promise<void> {
       const emptyKb = treeMemoryKb(pid);
       await page.evaluate(([nodes, topics, bytes]) => (globalThis as unknown as CrowdPage).gather(nodes, topics, bytes), [NODES, TOPICS_EACH, BYTES] as const);
       const fullKb = treeMemoryKb(pid);
-      const measured = async (tasks: readonly CrowdTask[]): Promise<CrowdFigures & { cpu: number }> => {
+      const measured = async (tasks: readonly CrowdTask[]): Promise<CrowdFigures & { cpu: number; }> => {
         const before = treeCpuMs(pid);
         const figures = await page.evaluate((given) => (globalThis as unknown as CrowdPage).measureCrowd(given), tasks as CrowdTask[]);
         return { ...figures, cpu: rounded((treeCpuMs(pid) - before) / 1000 / figures.seconds) };
       };
       const durationMs = SECONDS * 1000;
       const frames = ({ framesPerSecond, frameP50, frameP99, frameLongest }: CrowdFigures): Record<string, number> => ({
-        frames_per_second: rounded(framesPerSecond), frame_p50_ms: rounded(frameP50), frame_p99_ms: rounded(frameP99),
-        frame_longest_ms: rounded(frameLongest), machine_load: machineLoad(),
+        frames_per_second: rounded(framesPerSecond),
+        frame_p50_ms: rounded(frameP50),
+        frame_p99_ms: rounded(frameP99),
+        frame_longest_ms: rounded(frameLongest),
+        machine_load: machineLoad(),
       });
       // A waiting worker ends its wait once, when the time is over.
       const idle = await measured([{ hz: 0, durationMs }]);
       context.emit({
-        bench: 'crowd', what: 'idle', nodes: NODES, topics: NODES * TOPICS_EACH, kb_per_node: rounded((fullKb - emptyKb) / NODES),
-        wake_ups_per_node_and_second: rounded((idle.wakeUps - NODES) / NODES / idle.seconds), processors_used: idle.cpu, ...frames(idle),
+        bench: 'crowd',
+        what: 'idle',
+        nodes: NODES,
+        topics: NODES * TOPICS_EACH,
+        kb_per_node: rounded((fullKb - emptyKb) / NODES),
+        wake_ups_per_node_and_second: rounded((idle.wakeUps - NODES) / NODES / idle.seconds),
+        processors_used: idle.cpu,
+        ...frames(idle),
       });
       const talk = await measured([{ hz: HZ, durationMs }]);
       context.emit({
-        bench: 'crowd', what: 'talk', nodes: NODES, topics: NODES * TOPICS_EACH, bytes: BYTES, wanted_per_second: NODES * TOPICS_EACH * HZ,
-        sent_per_second: rounded(talk.sent / talk.seconds), delivered_share: rounded(talk.received / talk.sent),
-        processors_used: talk.cpu, ...frames(talk),
+        bench: 'crowd',
+        what: 'talk',
+        nodes: NODES,
+        topics: NODES * TOPICS_EACH,
+        bytes: BYTES,
+        wanted_per_second: NODES * TOPICS_EACH * HZ,
+        sent_per_second: rounded(talk.sent / talk.seconds),
+        delivered_share: rounded(talk.received / talk.sent),
+        processors_used: talk.cpu,
+        ...frames(talk),
       });
       const flood = await measured([{ hz: 1e6, durationMs }, ...Array.from({ length: NODES - 1 }, () => ({ hz: 1, durationMs }))]);
       context.emit({
-        bench: 'crowd', what: 'one node floods', nodes: NODES, bytes: BYTES, sent_per_second: rounded(flood.sent / flood.seconds),
-        processors_used: flood.cpu, ...frames(flood),
+        bench: 'crowd',
+        what: 'one node floods',
+        nodes: NODES,
+        bytes: BYTES,
+        sent_per_second: rounded(flood.sent / flood.seconds),
+        processors_used: flood.cpu,
+        ...frames(flood),
       });
       for (const [what, { framesPerSecond, frameP50 }] of Object.entries({ talk, flood })) {
         if (framesPerSecond < LEAST_FRAMES_PER_SECOND || frameP50 > 1000 / LEAST_FRAMES_PER_SECOND) {

@@ -82,7 +82,11 @@ async function measureCrowd(tasks: readonly CrowdTask[]): Promise<CrowdFigures> 
     sent: total((report) => report.sent),
     received: total((report) => report.received) + late.reduce((a, b) => a + b, 0),
     wakeUps: total((report) => report.wakeUps),
-    framesPerSecond, frameP50: at(0.5), frameP99: at(0.99), frameLongest: gaps.at(-1) ?? Number.NaN, seconds,
+    framesPerSecond,
+    frameP50: at(0.5),
+    frameP99: at(0.99),
+    frameLongest: gaps.at(-1) ?? Number.NaN,
+    seconds,
   };
 }
 
@@ -93,7 +97,7 @@ function disperse(): void {
 }
 
 /** How many wasm memories this process may have, and what it says after that. */
-function countMemories(): { count: number; error: string } {
+function countMemories(): { count: number; error: string; } {
   const kept: WebAssembly.Memory[] = [];
   for (;;) {
     try {

@@ -34,7 +34,7 @@ class Crowd {
   private readonly topics: number[] = [];
   private readonly subscriptions: number[] = [];
   private readonly order: CrowdOrder;
-  private readonly heap: { u8: Uint8Array; i32: Int32Array };
+  private readonly heap: { u8: Uint8Array; i32: Int32Array; };
 
   constructor(order: CrowdOrder) {
     this.order = order;
@@ -43,9 +43,16 @@ class Crowd {
     this.heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
     const node = this.link.nodeCreate(`n${order.index}`, '/crowd');
     const neighbour = (order.index + 1) % order.nodes;
-    const endpoint = (kind: number, of: number, topic: number): number => this.link.endpointCreate({
-      kind, node, name: `/t${of}/n${topic}`, type: 'std_msgs/msg/UInt8MultiArray', hash: '', qos: defaultQos, flags: 0,
-    });
+    const endpoint = (kind: number, of: number, topic: number): number =>
+      this.link.endpointCreate({
+        kind,
+        node,
+        name: `/t${of}/n${topic}`,
+        type: 'std_msgs/msg/UInt8MultiArray',
+        hash: '',
+        qos: defaultQos,
+        flags: 0,
+      });
     for (let topic = 0; topic < order.topicsEach; topic += 1) {
       this.topics.push(endpoint(EndpointKind.publisher, order.index, topic));
       this.subscriptions.push(endpoint(EndpointKind.subscription, neighbour, topic));
@@ -102,7 +109,7 @@ class Crowd {
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 let crowd: Crowd | undefined;
-scope.onmessage = async ({ data }: MessageEvent<{ order?: CrowdOrder; task?: CrowdTask; drain?: true; matched?: true }>) => {
+scope.onmessage = async ({ data }: MessageEvent<{ order?: CrowdOrder; task?: CrowdTask; drain?: true; matched?: true; }>) => {
   if (data.order !== undefined) crowd = new Crowd(data.order);
   if (data.matched === true) await crowd?.matched();
   const answer = data.task !== undefined ? await crowd?.run(data.task) : data.drain === true ? await crowd?.drain() : 'ready';

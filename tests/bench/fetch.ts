@@ -62,8 +62,8 @@ function makePackage(folder: string, number: number, bytes: number): Package {
   pack('info', 'info');
   writeFileSync(join(parts, 'metadata.json'), '{"conda_pkg_format_version": 2}');
   const file = join(folder, 'channel/noarch', `${dist}.conda`);
-  run('bsdtar', ['-cf', file, '--format', 'zip', '--options', 'zip:compression=store', '-C', parts,
-    'metadata.json', `pkg-${dist}.tar.zst`, `info-${dist}.tar.zst`]);
+  run('bsdtar', ['-cf', file, '--format', 'zip', '--options', 'zip:compression=store', '-C', parts, 'metadata.json', `pkg-${dist}.tar.zst`,
+    `info-${dist}.tar.zst`]);
   rmSync(parts, { recursive: true });
   rmSync(stage, { recursive: true });
   return { file: `${dist}.conda`, sha256: sha256(readFileSync(file)), size: statSync(file).size };
@@ -72,10 +72,21 @@ function makePackage(folder: string, number: number, bytes: number): Package {
 /** A lock is YAML, and so is JSON. */
 function lockText(packages: readonly Package[], channel: string): string {
   return JSON.stringify({
-    schema: 1, platform: 'emscripten-wasm32', channels: [channel], specs: [],
+    schema: 1,
+    platform: 'emscripten-wasm32',
+    channels: [channel],
+    specs: [],
     packages: packages.map((one) => ({
-      name: one.file.split('-')[0], version: '1.0', build: 'h_0', build_number: 0, subdir: 'noarch', channel,
-      file: one.file, url: `${channel}/noarch/${one.file}`, sha256: one.sha256, size: one.size,
+      name: one.file.split('-')[0],
+      version: '1.0',
+      build: 'h_0',
+      build_number: 0,
+      subdir: 'noarch',
+      channel,
+      file: one.file,
+      url: `${channel}/noarch/${one.file}`,
+      sha256: one.sha256,
+      size: one.size,
     })),
   });
 }
@@ -113,8 +124,7 @@ export async function benchFetch(context: BenchContext): Promise<void> {
     const again = (channel: string): Measured => {
       const lock = join(folder, 'bench.lock');
       writeFileSync(lock, lockText(packages, channel));
-      const done = measure([join(context.build, 'ros2wasm'), '--quiet', 'cache', 'fetch', lock],
-        { ...process.env, XDG_CACHE_HOME: cache });
+      const done = measure([join(context.build, 'ros2wasm'), '--quiet', 'cache', 'fetch', lock], { ...process.env, XDG_CACHE_HOME: cache });
       if (done.exitCode !== 0) throw new Error(done.stderr);
       return done;
     };
@@ -138,12 +148,17 @@ export async function benchFetch(context: BenchContext): Promise<void> {
     }
     const wall = (runs: readonly Measured[]): number => summary(runs.map((one) => one.wallMs)).median;
     context.emit({
-      bench: 'fetch', archives, archive_bytes: packages.reduce((sum, one) => sum + one.size, 0),
-      folder_ms: summary(rounds.file.map((one) => one.wallMs)), http_ms: summary(rounds.http.map((one) => one.wallMs)),
+      bench: 'fetch',
+      archives,
+      archive_bytes: packages.reduce((sum, one) => sum + one.size, 0),
+      folder_ms: summary(rounds.file.map((one) => one.wallMs)),
+      http_ms: summary(rounds.http.map((one) => one.wallMs)),
       cached_ms: summary(rounds.cached.map((one) => one.wallMs)),
       peak_kb: Math.max(...rounds.file.map((one) => one.peakKb), ...rounds.http.map((one) => one.peakKb)),
-      peer: 'sha256sum of the archives, then bsdtar', peer_ms: summary(rounds.peer.map((one) => one.wallMs)),
-      peer_files: 'sha256sum of the unpacked files', peer_files_ms: summary(rounds.peerFiles.map((one) => one.wallMs)),
+      peer: 'sha256sum of the archives, then bsdtar',
+      peer_ms: summary(rounds.peer.map((one) => one.wallMs)),
+      peer_files: 'sha256sum of the unpacked files',
+      peer_files_ms: summary(rounds.peerFiles.map((one) => one.wallMs)),
       ratio: Math.round((wall(rounds.file) / wall(rounds.peer)) * 100) / 100,
     });
   } finally {

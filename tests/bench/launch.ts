@@ -23,14 +23,20 @@ const numbers = (count: number): number[] => Array.from({ length: count }, (_, i
 
 function texts(count: number): Readonly<Record<string, string>> {
   return {
-    xml: `<launch><arg name="n" default="x"/>${numbers(count).map((i) => `
+    xml: `<launch><arg name="n" default="x"/>${
+      numbers(count).map((i) => `
 <group><push_ros_namespace namespace="$(var n)${i}"/><node pkg="demo" exec="talker" name="n" if="$(eval '${i} >= 0')">
-<param name="p" value="[1, 2, 3]"/><param name="q" value="$(var n)"/><remap from="x" to="y"/></node></group>`).join('')}</launch>`,
-    yaml: `launch:\n- arg: {name: n, default: x}\n${numbers(count).map((i) => `- group:
+<param name="p" value="[1, 2, 3]"/><param name="q" value="$(var n)"/><remap from="x" to="y"/></node></group>`).join('')
+    }</launch>`,
+    yaml: `launch:\n- arg: {name: n, default: x}\n${
+      numbers(count).map((i) =>
+        `- group:
   - push_ros_namespace: {namespace: "$(var n)${i}"}
   - node: {pkg: demo, exec: talker, name: n, if: "$(eval '${i} >= 0')", param: [{name: p, value: [1, 2, 3]}, {name: q, value: $(var n)}],
       remap: [{from: x, to: y}]}
-`).join('')}`,
+`
+      ).join('')
+    }`,
     py: `from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction
 from launch.conditions import IfCondition
@@ -72,7 +78,7 @@ export async function benchLaunch(context: BenchContext): Promise<void> {
     };
     for (const [name, count] of [['all', NODES], ['one', 1]] as const)
       for (const [ending, text] of Object.entries(texts(count))) writeFileSync(join(folder, `${name}.launch.${ending}`), text);
-    const first = run('all.launch.py');  // unpacks the interpreter
+    const first = run('all.launch.py'); // unpacks the interpreter
     const python = summary(numbers(RUNS).map(() => measure(['/usr/bin/python3', '-c', 'pass']).wallMs));
     const kept = (file: string): ReturnType<typeof summary> => {
       run(file);
@@ -82,10 +88,16 @@ export async function benchLaunch(context: BenchContext): Promise<void> {
       const [all, one] = [`all.launch.${ending}`, `one.launch.${ending}`].map((file) => numbers(RUNS).map(() => run(file)));
       const wall = summary(all?.map(({ wallMs }) => wallMs) ?? []);
       context.emit({
-        bench: 'launch', language: ending, nodes: NODES, wall_ms: wall, cpu_ms: summary(all?.map(({ cpuMs }) => cpuMs) ?? []).median,
-        peak_kb: summary(all?.map(({ peakKb }) => peakKb) ?? []).median, aim_ms: aim,
+        bench: 'launch',
+        language: ending,
+        nodes: NODES,
+        wall_ms: wall,
+        cpu_ms: summary(all?.map(({ cpuMs }) => cpuMs) ?? []).median,
+        peak_kb: summary(all?.map(({ peakKb }) => peakKb) ?? []).median,
+        aim_ms: aim,
         ...(ending === 'py' ? { first_ms: Math.round(first.wallMs), kept_ms: kept(`all.launch.${ending}`) } : {}),
-        peer: 'one node; python3 that does nothing', peer_one_node_ms: summary(one?.map(({ wallMs }) => wallMs) ?? []),
+        peer: 'one node; python3 that does nothing',
+        peer_one_node_ms: summary(one?.map(({ wallMs }) => wallMs) ?? []),
         peer_python3_ms: python,
       });
       if (wall.median > aim) context.fail(`launch: ${NODES} nodes in ${ending} take ${Math.round(wall.median)} ms, the aim is ${aim}`);
@@ -95,14 +107,23 @@ export async function benchLaunch(context: BenchContext): Promise<void> {
     const module = await WebAssembly.compile(wasm);
     const compileMs = performance.now() - began;
     for (const ending of Object.keys(AIMS_MS)) {
-      const made = spawnSync(join(context.build, 'ros2wasm'), ['launch', join(folder, `all.launch.${ending}`), '--workspace', folder, '--site-data'], { encoding: 'utf8', env: environment, maxBuffer: 1 << 28 });
+      const made = spawnSync(join(context.build, 'ros2wasm'), ['launch', join(folder, `all.launch.${ending}`), '--workspace', folder, '--site-data'], {
+        encoding: 'utf8',
+        env: environment,
+        maxBuffer: 1 << 28,
+      });
       if (made.status !== 0) throw new Error(`launch --site-data failed: ${made.stderr}`);
       const data = made.stdout;
       const times: number[] = [];
       for (let i = 0; i < RUNS; i += 1) times.push(await startMs(module, data));
       context.emit({
-        bench: 'launch_start', language: ending, nodes: NODES, wall_ms: summary(times), compile_ms: Math.round(compileMs),
-        wasm_bytes: wasm.length, data_bytes: Buffer.byteLength(data),
+        bench: 'launch_start',
+        language: ending,
+        nodes: NODES,
+        wall_ms: summary(times),
+        compile_ms: Math.round(compileMs),
+        wasm_bytes: wasm.length,
+        data_bytes: Buffer.byteLength(data),
       });
     }
     await benchLaunchPage(context, folder);

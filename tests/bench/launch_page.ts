@@ -64,9 +64,15 @@ export async function benchLaunchPage(context: BenchContext, folder: string): Pr
     const all = (name: string, key: keyof Start): ReturnType<typeof summary> => summary((times.get(name) ?? []).map((one) => one[key]));
     for (const name of ['tried', 'python_again']) {
       context.emit({
-        bench: 'launch_page', language: 'py', nodes: NODES, arguments: name, browser: 'chromium',
-        evaluated_ms: all(name, 'evaluated'), started_ms: all(name, 'started'),
-        peer: 'the page without launch arguments', peer_started_ms: all('none', 'started'),
+        bench: 'launch_page',
+        language: 'py',
+        nodes: NODES,
+        arguments: name,
+        browser: 'chromium',
+        evaluated_ms: all(name, 'evaluated'),
+        started_ms: all(name, 'started'),
+        peer: 'the page without launch arguments',
+        peer_started_ms: all('none', 'started'),
       });
     }
   });

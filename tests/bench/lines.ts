@@ -47,8 +47,13 @@ export async function benchLines(context: BenchContext): Promise<void> {
       const [to, now] = await after(page, WARM_UP + LINES, pid);
       const growth = Math.round(((now - before) * 10_000) / (to - from));
       context.emit({
-        bench: 'lines', what: 'memory of the browser after lines of a node', lines: to - from, kb_before: before, kb_after: now,
-        kb_per_10_000_lines: growth, machine_load: machineLoad(),
+        bench: 'lines',
+        what: 'memory of the browser after lines of a node',
+        lines: to - from,
+        kb_before: before,
+        kb_after: now,
+        kb_per_10_000_lines: growth,
+        machine_load: machineLoad(),
       });
       if (growth > MOST_KB_PER_10_000) context.fail(`lines: the browser grows by ${growth} kB in 10,000 lines, ${MOST_KB_PER_10_000} are the most`);
     });

@@ -115,14 +115,17 @@ function copyRate(bytes: number): number {
 }
 
 /** The steps in which a page's clock goes: finer when it is isolated. Of little say in Node.js. */
-function clockStep(place: Place, link: Link): { readonly clock_step_us?: number } {
+function clockStep(place: Place, link: Link): { readonly clock_step_us?: number; } {
   return place === 'Node.js' ? {} : { clock_step_us: link === 'shared' ? 5 : 100 };
 }
 
 const rounded = (value: number): number => Math.round(value * 100) / 100;
 
 export async function places(
-  context: BenchContext, site: string, until: string, use: (place: Place, link: Link, lines: readonly Line[]) => void,
+  context: BenchContext,
+  site: string,
+  until: string,
+  use: (place: Place, link: Link, lines: readonly Line[]) => void,
 ): Promise<void> {
   for (const link of ['shared', 'port'] as const) {
     use('Node.js', link, inNode(context, site, link, until));
@@ -137,7 +140,8 @@ export async function benchLink(context: BenchContext): Promise<void> {
   }
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {
-    const ping = packLaunch(context, folder, ['link_bench'], 'ping', ['{package: link_bench, executable: ponger}', '{package: link_bench, executable: pinger}']);
+    const ping = packLaunch(context, folder, ['link_bench'], 'ping', ['{package: link_bench, executable: ponger}',
+      '{package: link_bench, executable: pinger}']);
     const peerTrips = new Map<number, number>();
     for (const bytes of [8, 1000, 64000, 1000000]) peerTrips.set(bytes, await peerRoundTrip(bytes));
     const paper = await paperDesign(PAPER_SIZES);
@@ -146,13 +150,33 @@ export async function benchLink(context: BenchContext): Promise<void> {
         const peer = peerTrips.get(bytes) ?? Number.NaN;
         const papers = paper.get(bytes)?.roundTripUs;
         context.emit({
-          bench: 'link', what: 'round trip', place, link, bytes, round_trips, p50_us, p99_us, copies: COPIES,
-          peer: 'ddsperf ping, loopback', peer_p50_us: rounded(peer), ...clockStep(place, link),
-          ...(papers === undefined ? {} : { paper_p50_us: rounded(papers) }), machine_load: machineLoad(),
+          bench: 'link',
+          what: 'round trip',
+          place,
+          link,
+          bytes,
+          round_trips,
+          p50_us,
+          p99_us,
+          copies: COPIES,
+          peer: 'ddsperf ping, loopback',
+          peer_p50_us: rounded(peer),
+          ...clockStep(place, link),
+          ...(papers === undefined ? {} : { paper_p50_us: rounded(papers) }),
+          machine_load: machineLoad(),
         });
         context.emit({
-          bench: 'link', what: 'rclcpp publish in one worker to callback in another', place, link, bytes, messages: round_trips,
-          p50_us: way_p50_us, p99_us: way_p99_us, copies: COPIES, peer: 'ddsperf ping, loopback, half of a round trip', peer_p50_us: rounded(peer / 2),
+          bench: 'link',
+          what: 'rclcpp publish in one worker to callback in another',
+          place,
+          link,
+          bytes,
+          messages: round_trips,
+          p50_us: way_p50_us,
+          p99_us: way_p99_us,
+          copies: COPIES,
+          peer: 'ddsperf ping, loopback, half of a round trip',
+          peer_p50_us: rounded(peer / 2),
           ...clockStep(place, link),
         });
         if (link === 'shared' && papers !== undefined && papers < p50_us * PAPER_ROUND_TRIPS) {
@@ -176,12 +200,22 @@ export async function benchLink(context: BenchContext): Promise<void> {
         const copied = (each * bytes * (COPIES_OF_WRITER + COPIES_OF_READER * of.length)) / 1e6;
         const plain = copyRate(bytes) / 1e6;
         context.emit({
-          bench: 'link', what: `throughput, 1 to ${to}`, place, link, bytes, qos: 'reliable, keep_all',
-          lost: of.reduce((sum, line) => sum + (line['lost'] ?? 0), 0), per_second_each: each, sinks_counted: of.length,
-          mb_per_second: rounded(carried), plain_copy_mb_per_second: rounded(plain),
-          copies: COPIES, copied_share_of_plain: rounded(copied / plain),
+          bench: 'link',
+          what: `throughput, 1 to ${to}`,
+          place,
+          link,
+          bytes,
+          qos: 'reliable, keep_all',
+          lost: of.reduce((sum, line) => sum + (line['lost'] ?? 0), 0),
+          per_second_each: each,
+          sinks_counted: of.length,
+          mb_per_second: rounded(carried),
+          plain_copy_mb_per_second: rounded(plain),
+          copies: COPIES,
+          copied_share_of_plain: rounded(copied / plain),
           ...(to === 1 ? { peer: 'ddsperf pub/sub, loopback', peer_per_second: rounded(peerRates.get(bytes) ?? Number.NaN) } : {}),
-          ...(to === 1 && papers !== undefined ? { paper_per_second: rounded(papers) } : {}), machine_load: machineLoad(),
+          ...(to === 1 && papers !== undefined ? { paper_per_second: rounded(papers) } : {}),
+          machine_load: machineLoad(),
         });
         if (link === 'shared' && to === 1 && papers !== undefined && each < papers * PAPER_RATES) {
           context.fail(`link: ${each} messages of ${bytes} B come in a second, in the paper's design ${rounded(papers)}`);

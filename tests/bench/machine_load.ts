@@ -43,7 +43,7 @@ const INIT = 1;
 const KERNEL = 2;
 
 /** The ticks of a process; undefined when it is the kernel's or has just ended. */
-function lookAt(pid: number): { readonly ticks: number; readonly orphan: boolean } | undefined {
+function lookAt(pid: number): { readonly ticks: number; readonly orphan: boolean; } | undefined {
   try {
     const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /s, '').split(' ').map(Number);
     const [user = 0, system = 0, waitedUser = 0, waitedSystem = 0] = fields.slice(11, 15);
@@ -56,8 +56,8 @@ function lookAt(pid: number): { readonly ticks: number; readonly orphan: boolean
 }
 
 export function ticksNow(): Ticks {
-  const [user = 0, nice = 0, system = 0, idle = 0, waiting = 0, irq = 0, soft = 0, stolen = 0] =
-    (readFileSync('/proc/stat', 'utf8').split('\n')[0] ?? '').split(/\s+/).slice(1).map(Number);
+  const [user = 0, nice = 0, system = 0, idle = 0, waiting = 0, irq = 0, soft = 0, stolen = 0] = (readFileSync('/proc/stat', 'utf8').split('\n')[0] ?? '')
+    .split(/\s+/).slice(1).map(Number);
   const ours = new Set(processTree(process.pid));
   const others = new Map<number, number>();
   const orphans = new Set<number>();

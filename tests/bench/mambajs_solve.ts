@@ -23,7 +23,7 @@ globalThis.fetch = (input): Promise<Response> => {
 
 const { solve } = await import('@emscripten-forge/mambajs');
 const lines = ['channels:', `  - ${ORIGIN}/channel`, 'dependencies:', ...specs.map((spec) => `  - "${spec}"`)];
-const solves: { wallMs: number; cpuMs: number }[] = [];
+const solves: { wallMs: number; cpuMs: number; }[] = [];
 let packages: string[] = [];
 for (let i = 0; i < Number(runs); i += 1) {
   const began = performance.now();

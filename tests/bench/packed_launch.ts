@@ -6,7 +6,11 @@ import type { BenchContext } from './run.ts';
 
 /** `launch`: entries of the manifest, as flow mappings. Returns the site's folder, below `folder`/`name`. */
 export function packLaunch(
-  context: BenchContext, folder: string, programs: readonly string[], name: string, launch: readonly string[],
+  context: BenchContext,
+  folder: string,
+  programs: readonly string[],
+  name: string,
+  launch: readonly string[],
 ): string {
   const workspace = join(folder, name);
   mkdirSync(workspace);

@@ -36,7 +36,7 @@ interface Kind {
 
 declare global {
   // Set in the measured page.
-  var load: { firstPaint: number; largestPaint: number; tasks: Task[] };
+  var load: { firstPaint: number; largestPaint: number; tasks: Task[]; };
 }
 
 async function watched(browser: Browser, slower: number): Promise<Page> {
@@ -48,8 +48,12 @@ async function watched(browser: Browser, slower: number): Promise<Page> {
     globalThis.load = { firstPaint: NaN, largestPaint: NaN, tasks: [] };
     const watch = (type: string, take: (entry: PerformanceEntry) => void): void =>
       new PerformanceObserver((list) => list.getEntries().forEach(take)).observe({ type, buffered: true });
-    watch('paint', ({ name, startTime }) => { if (name === 'first-contentful-paint') globalThis.load.firstPaint = startTime; });
-    watch('largest-contentful-paint', ({ startTime }) => { globalThis.load.largestPaint = startTime; });
+    watch('paint', ({ name, startTime }) => {
+      if (name === 'first-contentful-paint') globalThis.load.firstPaint = startTime;
+    });
+    watch('largest-contentful-paint', ({ startTime }) => {
+      globalThis.load.largestPaint = startTime;
+    });
     watch('longtask', ({ startTime, duration }) => globalThis.load.tasks.push({ start: startTime, end: startTime + duration }));
   });
   return page;
@@ -72,14 +76,19 @@ async function figuresOf(page: Page, { server, folder, ready, button }: Kind, go
     const [start, before] = [performance.now(), looks()];
     element.click();
     // Until another picture is due that shows it.
-    do await new Promise((resolve) => requestAnimationFrame(resolve));
-    while (looks() === before);
+    do await new Promise((resolve) => requestAnimationFrame(resolve)); while (looks() === before);
     return performance.now() - start;
   }, button);
   const { at, blocked } = interactive(load);
   return {
-    fcp_ms: load.firstPaint, lcp_ms: load.largestPaint, tti_ms: at, tbt_ms: blocked, ready_ms: readyAt, button_ms: acted,
-    requests: asked.length, bytes: asked.reduce((sum, path) => sum + sizeOf(folder, path), 0),
+    fcp_ms: load.firstPaint,
+    lcp_ms: load.largestPaint,
+    tti_ms: at,
+    tbt_ms: blocked,
+    ready_ms: readyAt,
+    button_ms: acted,
+    requests: asked.length,
+    bytes: asked.reduce((sum, path) => sum + sizeOf(folder, path), 0),
   };
 }
 
@@ -88,7 +97,7 @@ function sizeOf(folder: string, path: string): number {
   return statSync(file, { throwIfNoEntry: false })?.size ?? 0;
 }
 
-async function measured(kind: Kind, slower: number): Promise<{ readonly cold: Figures[]; readonly warm: Figures[] }> {
+async function measured(kind: Kind, slower: number): Promise<{ readonly cold: Figures[]; readonly warm: Figures[]; }> {
   const [cold, warm]: [Figures[], Figures[]] = [[], []];
   for (let run = 0; run < RUNS; run += 1) {
     const browser = await chromium.launch(wholeChromium());
@@ -137,7 +146,10 @@ export async function benchPageLoad(context: BenchContext): Promise<void> {
   try {
     const folder = packedExample(context, root, EXAMPLE);
     const site: Kind = {
-      folder, server: await serveFolder(folder, { isolated: true }), ready: '.turtle-keys', button: 'Stop all',
+      folder,
+      server: await serveFolder(folder, { isolated: true }),
+      ready: '.turtle-keys',
+      button: 'Stop all',
     };
     const bare = join(root, 'peer');
     writePeer(bare, await firstSizes(site));
@@ -146,8 +158,15 @@ export async function benchPageLoad(context: BenchContext): Promise<void> {
       const [ours, theirs] = [await measured(site, slower), await measured(peer, slower)];
       for (const state of ['cold', 'warm'] as const) {
         context.emit({
-          bench: 'start', what: 'page load', example: EXAMPLE, browser: 'chromium', state, cpu_slower: slower,
-          ...told(ours[state]), peer: 'bare page, the same files in number and size', peer_figures: told(theirs[state]),
+          bench: 'start',
+          what: 'page load',
+          example: EXAMPLE,
+          browser: 'chromium',
+          state,
+          cpu_slower: slower,
+          ...told(ours[state]),
+          peer: 'bare page, the same files in number and size',
+          peer_figures: told(theirs[state]),
         });
       }
     }

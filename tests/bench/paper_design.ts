@@ -32,8 +32,11 @@ export async function paperDesign(sizes: readonly number[]): Promise<ReadonlyMap
     try {
       const page = await browser.newPage();
       await page.goto(host.url);
-      const run = (tasks: PaperTask[]): Promise<readonly number[]> => page.evaluate(
-        (given) => (globalThis as unknown as { runPaperDesign(of: readonly PaperTask[]): Promise<readonly number[]> }).runPaperDesign(given), tasks);
+      const run = (tasks: PaperTask[]): Promise<readonly number[]> =>
+        page.evaluate(
+          (given) => (globalThis as unknown as { runPaperDesign(of: readonly PaperTask[]): Promise<readonly number[]>; }).runPaperDesign(given),
+          tasks,
+        );
       const figures = new Map<number, PaperFigures>();
       for (const bytes of sizes) {
         const trips = await run([{ does: 'ping', bytes, trips: TRIPS }, { does: 'pong' }]);

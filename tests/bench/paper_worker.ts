@@ -5,17 +5,17 @@ import { parse, stringify } from 'yaml';
 
 /** The task of a node: send and wait for the answer `trips` times, answer, send at a rate, or count the messages that come. */
 export type PaperTask =
-  | { readonly does: 'ping'; readonly bytes: number; readonly trips: number }
-  | { readonly does: 'pong' }
-  | { readonly does: 'send'; readonly bytes: number; readonly hz: number; readonly durationMs: number }
-  | { readonly does: 'count'; readonly durationMs: number };
+  | { readonly does: 'ping'; readonly bytes: number; readonly trips: number; }
+  | { readonly does: 'pong'; }
+  | { readonly does: 'send'; readonly bytes: number; readonly hz: number; readonly durationMs: number; }
+  | { readonly does: 'count'; readonly durationMs: number; };
 
 /** From a worker to the page. */
 export type PaperReport =
-  | { readonly command: 'publish'; readonly topic: string; readonly message: string }
-  | { readonly command: 'retrieve'; readonly topic: string }
+  | { readonly command: 'publish'; readonly topic: string; readonly message: string; }
+  | { readonly command: 'retrieve'; readonly topic: string; }
   /** For `ping`, how long each trip took, in ms. For `count`, when each message came. */
-  | { readonly command: 'done'; readonly ms: readonly number[] };
+  | { readonly command: 'done'; readonly ms: readonly number[]; };
 
 /** From the page to every worker. */
 export interface PaperMessage {
@@ -24,14 +24,19 @@ export interface PaperMessage {
 }
 
 interface Bytes {
-  readonly layout: { readonly dim: readonly never[]; readonly data_offset: number };
+  readonly layout: { readonly dim: readonly never[]; readonly data_offset: number; };
   readonly data: readonly number[];
 }
 
 const pollMs = 10;
 /** The topics that every rclcpp node of that time has in addition to the user's; its executor always treats them as ready. */
 const ownTopics = [
-  'describe_parameters', 'get_parameter_types', 'get_parameters', 'list_parameters', 'set_parameters', 'set_parameters_atomically',
+  'describe_parameters',
+  'get_parameter_types',
+  'get_parameters',
+  'list_parameters',
+  'set_parameters',
+  'set_parameters_atomically',
   'parameter_events',
 ];
 
@@ -103,7 +108,7 @@ async function run(task: PaperTask): Promise<void> {
   tell({ command: 'done', ms });
 }
 
-scope.onmessage = ({ data }: MessageEvent<PaperMessage | { readonly task: PaperTask }>) => {
+scope.onmessage = ({ data }: MessageEvent<PaperMessage | { readonly task: PaperTask; }>) => {
   if ('task' in data) void run(data.task);
   else newest.set(data.topic, data.message.replaceAll(', ', '\n'));
 };

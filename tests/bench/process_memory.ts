@@ -28,8 +28,7 @@ function memoryKb(pid: number, kind: 'Pss' | 'Private_Dirty'): number {
 /** `root` and its descendants. */
 export function processTree(root: number): number[] {
   const parentOf = parents();
-  const belongs = (pid: number | undefined): boolean =>
-    pid !== undefined && (pid === root || belongs(parentOf.get(pid)));
+  const belongs = (pid: number | undefined): boolean => pid !== undefined && (pid === root || belongs(parentOf.get(pid)));
   return [...parentOf.keys()].filter(belongs);
 }
 

@@ -199,7 +199,7 @@ async function settledKb(pid: number): Promise<number> {
  */
 async function benchMemory(context: BenchContext, site: string): Promise<void> {
   const others = new OthersLoad();
-  const seen: { nodes: number; kb: number }[] = [];
+  const seen: { nodes: number; kb: number; }[] = [];
   for (let run = 0; run < 3; run += 1) {
     for (const nodes of CROWDS) {
       await inBrowser(site, async (page, pid, url) => {
@@ -232,7 +232,8 @@ function benchMessages(context: BenchContext, site: string): void {
   const others = new OthersLoad();
   for (const link of ['shared', 'port']) {
     const run = spawnSync(process.execPath, [join(context.root, 'runtime/site/session/headless.ts'), site, '--link', link], {
-      encoding: 'utf8', timeout: WATCHDOG_MS,
+      encoding: 'utf8',
+      timeout: WATCHDOG_MS,
     });
     if (run.status !== 0) context.fail(`python: the rates on the ${link} link end with ${run.status}: ${run.stderr}`);
     for (const [, json = ''] of run.stdout.matchAll(/rates (\{.*\})/g)) {
@@ -258,8 +259,16 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
     await places(context, site, 'pinger: done', (place, link, lines) => {
       for (const line of lines.filter((one) => one['bytes'] === bytes)) {
         context.emit({
-          bench: 'python', what, place, link, bytes, p50_us: line['p50_us'], p99_us: line['p99_us'], aim_us: TRIP_AIM_US,
-          ...(peerTrip === undefined ? {} : { peer: 'ddsperf ping, loopback', peer_p50_us: peerTrip }), machine_load: machineLoad(),
+          bench: 'python',
+          what,
+          place,
+          link,
+          bytes,
+          p50_us: line['p50_us'],
+          p99_us: line['p99_us'],
+          aim_us: TRIP_AIM_US,
+          ...(peerTrip === undefined ? {} : { peer: 'ddsperf ping, loopback', peer_p50_us: peerTrip }),
+          machine_load: machineLoad(),
         });
         if (link === 'shared') judge(context, others, `us of a round trip, ${what}, ${place}`, line['p50_us'] ?? Infinity, TRIP_AIM_US);
       }
@@ -275,8 +284,16 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
     await places(context, site, 'sink: done', (place, link, lines) => {
       for (const line of lines.filter((one) => one['bytes'] === bytes && one['per_second'] !== undefined)) {
         context.emit({
-          bench: 'python', what: `${what}, reliable, keep_all`, place, link, bytes, per_second: line['per_second'], whole_per_second: line['whole'], aim_per_second: RATE_AIM,
-          ...(peerRate === undefined ? {} : { peer: 'ddsperf pub/sub, loopback', peer_per_second: Math.round(peerRate) }), machine_load: machineLoad(),
+          bench: 'python',
+          what: `${what}, reliable, keep_all`,
+          place,
+          link,
+          bytes,
+          per_second: line['per_second'],
+          whole_per_second: line['whole'],
+          aim_per_second: RATE_AIM,
+          ...(peerRate === undefined ? {} : { peer: 'ddsperf pub/sub, loopback', peer_per_second: Math.round(peerRate) }),
+          machine_load: machineLoad(),
         });
         if (link === 'shared') judge(context, others, `messages a second, ${what}, ${place}`, line['per_second'] ?? 0, RATE_AIM, true);
       }
@@ -301,7 +318,7 @@ function benchBytes(context: BenchContext, site: string): void {
 export async function benchPython(context: BenchContext): Promise<void> {
   const packages = { [join(context.root, 'tests/bench/packages/python_bench/scripts')]: 'lib/python_bench' };
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
-  const script = (name: string): { entry: string; executable: string } => ({ entry: `lib/python_bench/${name}`, executable: name });
+  const script = (name: string): { entry: string; executable: string; } => ({ entry: `lib/python_bench/${name}`, executable: name });
   const waits = Array.from({ length: Math.max(...CROWDS) }, () => script('waits'));
   const sites = [waits, [script('rates')], [script('talks'), script('hears')]].map((nodes) => makeSite([], {}, {}, { nodes, packages }));
   try {

@@ -70,7 +70,7 @@ export async function benchCdr(context: BenchContext, site: string): Promise<voi
   python.unpackArchive(new Uint8Array(readFileSync(join(site, 'python/rclpy.zip'))), 'zip', { extractDir: '/ros' });
   const kept: Uint8Array[] = [];
   const address = (bytes: PyProxy): number => {
-    const buffer = (bytes as PyProxy & { getBuffer(type: string): PyBuffer }).getBuffer('u8');
+    const buffer = (bytes as PyProxy & { getBuffer(type: string): PyBuffer; }).getBuffer('u8');
     kept.push(buffer['data'] as Uint8Array);
     return kept.length - 1;
   };
@@ -106,7 +106,10 @@ export async function benchCdr(context: BenchContext, site: string): Promise<voi
   python.registerJsModule('ros2wasm_host', { address, read, write });
   const rates = JSON.parse(python.runPython(measure) as string) as Record<string, number>;
   context.emit({
-    bench: 'python', what: 'CDR of a PointStamped: by Python, peer: by JavaScript, its object as a dict of Python', place: 'Node.js', ...rates,
+    bench: 'python',
+    what: 'CDR of a PointStamped: by Python, peer: by JavaScript, its object as a dict of Python',
+    place: 'Node.js',
+    ...rates,
     machine_load: machineLoad(),
   });
   const ours = rates['in_per_second'] ?? 0;

@@ -38,7 +38,9 @@ function packed(context: BenchContext, folder: string, module: string): string |
   const root = join(folder, module);
   const own = join(root, 'src/imports/imports');
   mkdirSync(own, { recursive: true });
-  const write = (path: string, text: string): void => { writeFileSync(join(root, path), text); };
+  const write = (path: string, text: string): void => {
+    writeFileSync(join(root, path), text);
+  };
   write('src/imports/package.xml', `<package format="3"><name>imports</name><version>1.0.0</version><description>Imports</description>
 <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
 <depend>rclpy</depend><export><build_type>ament_python</build_type></export></package>
@@ -109,7 +111,7 @@ export async function benchPythonLibraries(context: BenchContext): Promise<void>
       const site = packed(context, folder, module);
       const what = module === 'rclpy' ? 'start of a node without libraries' : `start of a node that imports ${module}`;
       if (site === undefined) {
-        context.emit({ bench: 'python_libraries', what, not_measured: 'Pyodide\'s distribution cannot be reached' });
+        context.emit({ bench: 'python_libraries', what, not_measured: "Pyodide's distribution cannot be reached" });
         continue;
       }
       for (const [place, start] of [['Node.js', () => headless(context, site)], ['Chromium, nothing in the browser', () => chromium(site)]] as const) {
@@ -119,8 +121,14 @@ export async function benchPythonLibraries(context: BenchContext): Promise<void>
         const peer = peers.get(place);
         if (peer === undefined) peers.set(place, ms.median);
         context.emit({
-          bench: 'python_libraries', what, place, ms, import_ms: summary(runs.map((run) => importMs(run.line))), python_bytes: bytesOf(site),
-          ...(peer === undefined ? {} : { peer: 'the node without libraries', peer_ms: peer }), machine_load: machineLoad(),
+          bench: 'python_libraries',
+          what,
+          place,
+          ms,
+          import_ms: summary(runs.map((run) => importMs(run.line))),
+          python_bytes: bytesOf(site),
+          ...(peer === undefined ? {} : { peer: 'the node without libraries', peer_ms: peer }),
+          machine_load: machineLoad(),
         });
       }
     }

@@ -16,7 +16,7 @@ export interface Load {
 }
 
 /** When the first quiet time begins, and how long input would have waited until then. */
-export function interactive({ firstPaint, tasks }: Load): { readonly at: number; readonly blocked: number } {
+export function interactive({ firstPaint, tasks }: Load): { readonly at: number; readonly blocked: number; } {
   let at = firstPaint;
   let blocked = 0;
   for (const { start, end } of tasks.toSorted((a, b) => a.start - b.start)) {

@@ -58,8 +58,16 @@ export async function benchScroll(context: BenchContext): Promise<void> {
     const judge = async (what: string): Promise<void> => {
       const ours = await scrolled(page, '.lines');
       context.emit({
-        bench: 'lines', what: `frames while ${what} scrolls`, lines: LINES, step_px: STEP_PX, drawn_lines: await page.locator('.line').count(), ...ours,
-        aim_ms: AIM_MS, plain_list: plain, bare_page: limit, machine_load: machineLoad(),
+        bench: 'lines',
+        what: `frames while ${what} scrolls`,
+        lines: LINES,
+        step_px: STEP_PX,
+        drawn_lines: await page.locator('.line').count(),
+        ...ours,
+        aim_ms: AIM_MS,
+        plain_list: plain,
+        bare_page: limit,
+        machine_load: machineLoad(),
       });
       if (met(ours)) return;
       const said = `lines: ${ours.under_20_ms * 100} % of the frames are under ${AIM_MS} ms while ${LINES} lines of ${what} scroll, 95 % are the least`;
@@ -69,7 +77,7 @@ export async function benchScroll(context: BenchContext): Promise<void> {
     await page.goto(`${host.url}?scene=signals#layout=${encodeURIComponent(JSON.stringify({ tabs: ['console', 'log'] }))}`);
     await page.waitForSelector('.panel-console .lines');
     await page.evaluate((count) => {
-      const { fake } = globalThis as unknown as { readonly fake: FakeSession };
+      const { fake } = globalThis as unknown as { readonly fake: FakeSession; };
       const texts = Array.from({ length: count }, (_, i) => `[INFO] [1700000000.000000000] [talker]: Publishing: 'Hello, world! ${i}'`);
       fake.print('robot-1', ...texts);
     }, LINES);

@@ -4,7 +4,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { zstdCompressSync } from 'node:zlib';
 
-type Packable = string | number | Buffer | readonly Packable[] | { readonly [key: string]: Packable };
+type Packable = string | number | Buffer | readonly Packable[] | { readonly [key: string]: Packable; };
 
 /** First byte and number, in as many bytes as it takes; `short` stands for numbers below `limit`. */
 function head(size: number, short: number, limit: number, first: readonly [one: number, two: number, four: number]): Buffer {
@@ -65,7 +65,8 @@ export function writeShards(folder: string, subdir: string, all: Iterable<Shard>
   const shards: Record<string, Buffer> = {};
   for (const { name, records } of all) {
     const binary = Object.entries(records).map(([file, record]) =>
-      [file, { ...record, md5: Buffer.from(record.md5, 'hex'), sha256: Buffer.from(record.sha256, 'hex') }] as const);
+      [file, { ...record, md5: Buffer.from(record.md5, 'hex'), sha256: Buffer.from(record.sha256, 'hex') }] as const
+    );
     const bytes = zstdCompressSync(packed({ packages: {}, 'packages.conda': Object.fromEntries(binary), removed: [] }));
     const hash = createHash('sha256').update(bytes).digest();
     writeFileSync(join(folder, `${hash.toString('hex')}.msgpack.zst`), bytes);

@@ -45,8 +45,7 @@ function pack(context: BenchContext, folder: string, name: string, sensors: Sens
   mkdirSync(workspace);
   cpSync(join(context.root, 'tests/bench/packages/sim_bench'), join(workspace, 'sim_bench'), { recursive: true });
   writeFileSync(join(workspace, 'sim_bench/launch/bench.world'), sdfWorld(sensors, realTime));
-  writeFileSync(join(workspace, 'workspace.yaml'),
-    `schema: 1\nname: ${name}\npackages: [sim_bench]\nlaunch: sim_bench/launch/sim.launch.py\n`);
+  writeFileSync(join(workspace, 'workspace.yaml'), `schema: 1\nname: ${name}\npackages: [sim_bench]\nlaunch: sim_bench/launch/sim.launch.py\n`);
   const site = join(workspace, 'site');
   const run = spawnSync(join(context.build, 'ros2wasm'), ['pack', join(workspace, 'workspace.yaml'), '-o', site], { encoding: 'utf8' });
   if (run.status !== 0) throw new Error(`pack failed: ${run.stderr}`);
@@ -67,7 +66,7 @@ function inNode(context: BenchContext, site: string): Measured {
 }
 
 /** Milliseconds from the address until the page has a line. */
-async function shown(site: string, line: RegExp): Promise<{ ms: number; text: string }> {
+async function shown(site: string, line: RegExp): Promise<{ ms: number; text: string; }> {
   let result = { ms: 0, text: '' };
   await inBrowser(site, async (page, _pid, url) => {
     const begin = performance.now();
@@ -132,9 +131,16 @@ export async function benchSim(context: BenchContext): Promise<void> {
     };
     const lines = { node: factor(runs.lidar), chromium: factor(pages), node_camera: factor(runs.large), chromium_camera: factor(pictures) };
     for (const [place, value] of Object.entries(lines)) {
-      context.emit({ bench: 'sim', what: `seconds of simulation a second, ${place}`, ...value, aim: FACTOR_AIM,
-        peer: 'npm MuJoCo 3.14, the same scene and rays, without ROS', peer_factor: peer.median, ratio: Math.round((100 * value.median) / peer.median) / 100,
-        load: machineLoad() });
+      context.emit({
+        bench: 'sim',
+        what: `seconds of simulation a second, ${place}`,
+        ...value,
+        aim: FACTOR_AIM,
+        peer: 'npm MuJoCo 3.14, the same scene and rays, without ROS',
+        peer_factor: peer.median,
+        ratio: Math.round((100 * value.median) / peer.median) / 100,
+        load: machineLoad(),
+      });
       if (value.median < FACTOR_AIM) context.fail(`sim: ${place}: ${String(value.median)} times real time, the aim is ${String(FACTOR_AIM)}`);
     }
     const scan = cost('scans', (one) => one.scans);

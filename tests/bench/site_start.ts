@@ -90,10 +90,18 @@ export async function benchStart(context: BenchContext): Promise<void> {
       await Promise.all([servers.site.close(), servers.peer.close()]);
       const less = (values: readonly number[]): number[] => values.map((value) => value - TALKER_PERIOD_MS);
       context.emit({
-        bench: 'start', example: '01_talker_listener', browser: 'chromium', headers: isolated ? 'COOP/COEP' : 'none',
-        cold_ms: summary(less(ours.cold)), warm_ms: summary(less(ours.warm)), not_counted: 'talker timer period, 500 ms',
-        peer: 'bare page, two workers, one message', peer_cold_ms: summary(theirs.cold), peer_warm_ms: summary(theirs.warm),
-        browser_memory_kb: summary(ours.memoryKb).median, peer_memory_kb: summary(theirs.memoryKb).median,
+        bench: 'start',
+        example: '01_talker_listener',
+        browser: 'chromium',
+        headers: isolated ? 'COOP/COEP' : 'none',
+        cold_ms: summary(less(ours.cold)),
+        warm_ms: summary(less(ours.warm)),
+        not_counted: 'talker timer period, 500 ms',
+        peer: 'bare page, two workers, one message',
+        peer_cold_ms: summary(theirs.cold),
+        peer_warm_ms: summary(theirs.warm),
+        browser_memory_kb: summary(ours.memoryKb).median,
+        peer_memory_kb: summary(theirs.memoryKb).median,
       });
     }
   } finally {

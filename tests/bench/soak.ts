@@ -37,13 +37,13 @@ function note(): void {
   globalThis.Worker = class extends OfPage {
     constructor(url: string | URL, options?: WorkerOptions) {
       super(url, options);
-      this.addEventListener('message', ({ data }: MessageEvent<{ t: string; lines?: [number, number, string][] }>) => {
+      this.addEventListener('message', ({ data }: MessageEvent<{ t: string; lines?: [number, number, string][]; }>) => {
         for (const [, , text] of data.lines ?? []) if (text.startsWith('{"soak"')) noted.reports.push(JSON.parse(text) as SoakReport);
       });
     }
 
     override postMessage(message: unknown, transfer: StructuredSerializeOptions | Transferable[] = []): void {
-      noted.bus ??= (message as { start?: { ticket?: { memory?: WebAssembly.Memory } } }).start?.ticket?.memory;
+      noted.bus ??= (message as { start?: { ticket?: { memory?: WebAssembly.Memory; }; }; }).start?.ticket?.memory;
       super.postMessage(message, transfer as Transferable[]);
     }
   };
@@ -65,7 +65,7 @@ interface PageFigures {
 
 /** Takes what was noted since the last time. */
 function drain([table, first]: readonly [number, number]): PageFigures {
-  const { noted } = globalThis as unknown as { noted: Noted };
+  const { noted } = globalThis as unknown as { noted: Noted; };
   const words = new Int32Array(noted.bus?.buffer ?? new ArrayBuffer(0));
   let busPages = 0;
   const [from, pages] = [words[table] ?? 0, words[first] ?? 0];
@@ -93,30 +93,43 @@ async function soak(context: BenchContext, page: Page, pid: number, minutes: num
   for (let i = 1; i <= count; i += 1) {
     // A sample is due when all who send and all who take have reported.
     await page.waitForFunction((reporters) => {
-      const { reports } = (globalThis as unknown as { noted: Noted }).noted;
+      const { reports } = (globalThis as unknown as { noted: Noted; }).noted;
       return new Set(reports.map((report) => `${report.soak} ${'published' in report}`)).size >= reporters;
     }, 2 * streams.length, { timeout: 3 * periodS * 1000, polling: 500 });
     const { reports, frames, busPages } = await page.evaluate(drain, constants);
     const gaps = frames.toSorted((a, b) => a - b);
     const at = (share: number): number => rounded(gaps[Math.floor(gaps.length * share)] ?? Number.NaN);
     const sample: SoakSample = {
-      minute: rounded((i * periodS) / 60), heap_kb: await heapKb(devtools), processes_kb: treePrivateKb(pid),
-      bus_used_kb: busPages * 4, streams: gather(reports, streams),
+      minute: rounded((i * periodS) / 60),
+      heap_kb: await heapKb(devtools),
+      processes_kb: treePrivateKb(pid),
+      bus_used_kb: busPages * 4,
+      streams: gather(reports, streams),
     };
     samples.push(sample);
     context.emit({
-      bench: 'soak', what: 'sample', ...sample, frames: gaps.length, frame_p50_ms: at(0.5), frame_p99_ms: at(0.99),
-      frame_longest_ms: rounded(gaps.at(-1) ?? Number.NaN), machine_load: machineLoad(),
+      bench: 'soak',
+      what: 'sample',
+      ...sample,
+      frames: gaps.length,
+      frame_p50_ms: at(0.5),
+      frame_p99_ms: at(0.99),
+      frame_longest_ms: rounded(gaps.at(-1) ?? Number.NaN),
+      machine_load: machineLoad(),
     });
     // Frames that the sample itself delayed are not counted.
     await page.evaluate(() => {
-      (globalThis as unknown as { noted: Noted }).noted.frames = [];
+      (globalThis as unknown as { noted: Noted; }).noted.frames = [];
     });
   }
   const judged = judge(samples, streams);
   if (!judged.flat) context.fail('soak: not flat');
   context.emit({
-    bench: 'soak', what: 'verdict', minutes, samples: samples.length, ...judged,
+    bench: 'soak',
+    what: 'verdict',
+    minutes,
+    samples: samples.length,
+    ...judged,
     rule: RULE,
   });
 }
@@ -132,7 +145,10 @@ export async function benchSoak(context: BenchContext): Promise<void> {
       '{package: soak_bench, executable: adder}',
       `{package: soak_bench, executable: caller, parameters: {hz: ${CALLS_HZ}, report_s: ${periodS}}}`,
       ...PULSES.map(({ topic, bytes, hz, log }) =>
-        `{package: soak_bench, executable: pulse, name: pulse_${topic.slice(1)}, parameters: {topic: ${topic}, bytes: ${bytes}, hz: ${hz}, log: ${log}, report_s: ${periodS}}}`),
+        `{package: soak_bench, executable: pulse, name: pulse_${
+          topic.slice(1)
+        }, parameters: {topic: ${topic}, bytes: ${bytes}, hz: ${hz}, log: ${log}, report_s: ${periodS}}}`
+      ),
     ]);
     await inBrowser(site, async (page, pid, url) => {
       await page.addInitScript(note);

@@ -16,8 +16,8 @@ export const RULE = `flat: memory rises by at most ${MEMORY_RISE * 100} % of its
 
 /** A line of a node: the one that sends says what it published in a period, the one that takes says the rest. */
 export type SoakReport =
-  | { readonly soak: string; readonly published: number }
-  | { readonly soak: string; readonly sent: number; readonly came: number; readonly p50_us: number; readonly p99_us: number };
+  | { readonly soak: string; readonly published: number; }
+  | { readonly soak: string; readonly sent: number; readonly came: number; readonly p50_us: number; readonly p99_us: number; };
 
 /** A stream in one sample. */
 export interface StreamSample {
@@ -96,7 +96,8 @@ export function gather(reports: readonly SoakReport[], streams: readonly SoakStr
 export function judge(samples: readonly SoakSample[], streams: readonly SoakStream[]): SoakVerdict {
   const half = samples.slice(Math.floor(samples.length / 2));
   const memory = Object.fromEntries((['heap_kb', 'processes_kb', 'bus_used_kb'] as const).map(
-    (what) => [what, rounded(rise(half.map((sample) => sample[what])))]));
+    (what) => [what, rounded(rise(half.map((sample) => sample[what])))],
+  ));
   const judged = Object.fromEntries(streams.map(({ soak, due }) => {
     const of = half.map((sample) => sample.streams.find((stream) => stream.soak === soak)).filter((stream) => stream !== undefined);
     const quarter = Math.floor(of.length / 2);
@@ -111,6 +112,7 @@ export function judge(samples: readonly SoakSample[], streams: readonly SoakStre
   }));
   const flat = Object.values(memory).every((share) => share <= MEMORY_RISE)
     && Object.values(judged).every(({ delivered, least_rate: rate, p50_us: [before, after] }) =>
-      delivered >= DELIVERED && rate >= RATE && after <= before * LATENCY_RATIO + LATENCY_SLACK_US);
+      delivered >= DELIVERED && rate >= RATE && after <= before * LATENCY_RATIO + LATENCY_SLACK_US
+    );
   return { flat, rise_in_second_half: memory, streams_in_second_half: judged };
 }

@@ -52,7 +52,7 @@ function figures(runs: readonly (Times | Measured)[]): Figures {
   return peaks.length === 0 ? times : { ...times, peak_kb: Math.max(...peaks) };
 }
 
-function timesFaster(ours: Figures, theirs: Figures): { readonly wall: number; readonly cpu: number } {
+function timesFaster(ours: Figures, theirs: Figures): { readonly wall: number; readonly cpu: number; } {
   const ratio = (a: Summary, b: Summary): number => Math.round((b.median / a.median) * 10) / 10;
   return { wall: ratio(ours.wall_ms, theirs.wall_ms), cpu: ratio(ours.cpu_ms, theirs.cpu_ms) };
 }
@@ -98,7 +98,7 @@ function compare(context: BenchContext, question: Question): void {
   }));
   const shown = output(program, ['solve', '--channel', channel, '--json', ...specs], environment);
   rmSync(cache, { recursive: true, force: true });
-  const { packages } = JSON.parse(shown) as { packages: readonly { readonly name: string; readonly version: string }[] };
+  const { packages } = JSON.parse(shown) as { packages: readonly { readonly name: string; readonly version: string; }[]; };
   const lines = output(process.execPath, [script, channel, String(RUNS + 1), ...specs], environment).trim().split('\n');
   const repeated = JSON.parse(lines.at(-1) ?? '') as Peer;
   const ours = {
@@ -113,10 +113,17 @@ function compare(context: BenchContext, question: Question): void {
   };
   const same = new Set(repeated.packages);
   context.emit({
-    bench: 'solve', channel: question.label, records: question.records, specs: specs.length,
-    packages: packages.length, peer: 'mambajs 0.21.6', peer_packages: repeated.packages.length,
+    bench: 'solve',
+    channel: question.label,
+    records: question.records,
+    specs: specs.length,
+    packages: packages.length,
+    peer: 'mambajs 0.21.6',
+    peer_packages: repeated.packages.length,
     same: packages.filter((one) => same.has(`${one.name} ${one.version}`)).length,
-    ours, theirs, compared: COMPARED,
+    ours,
+    theirs,
+    compared: COMPARED,
     times_faster: {
       parse: timesFaster(ours.parse, theirs.parse),
       first: timesFaster(ours.first, theirs.first),

@@ -36,7 +36,7 @@ export function makeRealChannel(channel: string, source: string): number {
   const program = 'import lzma, sys; sys.stdout.buffer.write(lzma.open(sys.argv[1]).read())';
   const text = execFileSync('python3', ['-c', program, source], { encoding: 'utf8', maxBuffer: 1 << 28 });
   writeIndex(channel, 'emscripten-wasm32', text.replaceAll('"linux-64"', '"emscripten-wasm32"'));
-  const { packages } = JSON.parse(text) as { packages: Readonly<Record<string, IndexRecord>> };
+  const { packages } = JSON.parse(text) as { packages: Readonly<Record<string, IndexRecord>>; };
   const names = new Set(Object.values(packages).map((record) => record.name));
   const stubs: Record<string, unknown> = {};
   for (const spec of new Set(Object.values(packages).flatMap((record) => record.depends))) {
@@ -44,8 +44,16 @@ export function makeRealChannel(channel: string, source: string): number {
     if (names.has(name)) continue;
     const [version, build] = fittingVersion(spec);
     stubs[`${name}-${version}-${build}.tar.bz2`] = {
-      name, version, build, build_number: 0, depends: [], noarch: 'generic', subdir: 'noarch',
-      md5: '0'.repeat(32), sha256: '0'.repeat(64), size: 1,
+      name,
+      version,
+      build,
+      build_number: 0,
+      depends: [],
+      noarch: 'generic',
+      subdir: 'noarch',
+      md5: '0'.repeat(32),
+      sha256: '0'.repeat(64),
+      size: 1,
     };
   }
   writeIndex(channel, 'noarch', JSON.stringify({ info: { subdir: 'noarch' }, packages: stubs }));
@@ -110,17 +118,37 @@ function* largeShards(size: LargeChannel): Generator<Shard> {
     const records: Record<string, ShardedRecord> = {};
     for (let index = 0; index < count; index += 1) {
       const depends = ['emscripten-abi >=4,<5', ...[...new Set(leaned)].map((other) =>
-        specFor(other, Math.floor(((releases[other] ?? 1) - 1) * ((index + 1) / count)), draw))];
+        specFor(other, Math.floor(((releases[other] ?? 1) - 1) * ((index + 1) / count)), draw)
+      )];
       const build = `h${hex(7)}_0`;
       records[`${name}-${versionAt(rank, index)}-${build}.conda`] = {
-        build, build_number: 0, depends: rank === 0 ? [] : depends, license: 'BSD-3-Clause', license_family: 'BSD', md5: hex(32),
-        name, sha256: hex(64), size: 1000 + Math.floor(draw() * 1e6), subdir: 'emscripten-wasm32',
-        timestamp: 1700000000000 + index * 1000, version: versionAt(rank, index),
+        build,
+        build_number: 0,
+        depends: rank === 0 ? [] : depends,
+        license: 'BSD-3-Clause',
+        license_family: 'BSD',
+        md5: hex(32),
+        name,
+        sha256: hex(64),
+        size: 1000 + Math.floor(draw() * 1e6),
+        subdir: 'emscripten-wasm32',
+        timestamp: 1700000000000 + index * 1000,
+        version: versionAt(rank, index),
       };
     }
     yield { name, records };
   }
-  const abi = { build: '0', build_number: 0, depends: [], name: 'emscripten-abi', version: '4.0.9', subdir: 'emscripten-wasm32', size: 1, md5: hex(32), sha256: hex(64) };
+  const abi = {
+    build: '0',
+    build_number: 0,
+    depends: [],
+    name: 'emscripten-abi',
+    version: '4.0.9',
+    subdir: 'emscripten-wasm32',
+    size: 1,
+    md5: hex(32),
+    sha256: hex(64),
+  };
   yield { name: abi.name, records: { 'emscripten-abi-4.0.9-0.conda': abi } };
 }
 

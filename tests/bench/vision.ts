@@ -16,13 +16,16 @@ const SCRIPT = 'tests/bench/packages/python_bench/scripts/sees';
 type Steps = ReadonlyMap<string, number>;
 
 function stepsOf(text: string): Steps {
-  const lines = [...text.matchAll(/\{"step".*?\}/g)].map(([json]) => JSON.parse(json) as { readonly step: string; readonly ms: number });
+  const lines = [...text.matchAll(/\{"step".*?\}/g)].map(([json]) => JSON.parse(json) as { readonly step: string; readonly ms: number; });
   return new Map(lines.map(({ step, ms }) => [step, ms]));
 }
 
 /** undefined: this machine's Python has no OpenCV. */
 function onDesktop(context: BenchContext): Steps | undefined {
-  const run = spawnSync('/usr/bin/python3', ['-c', `import cv2; cv2.setNumThreads(1); exec(open('${SCRIPT}').read())`], { cwd: context.root, encoding: 'utf8' });
+  const run = spawnSync('/usr/bin/python3', ['-c', `import cv2; cv2.setNumThreads(1); exec(open('${SCRIPT}').read())`], {
+    cwd: context.root,
+    encoding: 'utf8',
+  });
   return run.status === 0 ? stepsOf(run.stdout) : undefined;
 }
 
@@ -47,8 +50,13 @@ export async function benchVision(context: BenchContext): Promise<void> {
         const other = what === 'import' ? undefined : peer?.get(what);
         const ratio = other === undefined ? undefined : Math.round((ms / other) * 100) / 100;
         context.emit({
-          bench: 'vision', what: `cv2: ${what}`, place, picture: '640 x 480', ms,
-          ...(other === undefined ? {} : { peer: 'OpenCV of python3-opencv, one thread', peer_ms: other, ratio }), machine_load: machineLoad(),
+          bench: 'vision',
+          what: `cv2: ${what}`,
+          place,
+          picture: '640 x 480',
+          ms,
+          ...(other === undefined ? {} : { peer: 'OpenCV of python3-opencv, one thread', peer_ms: other, ratio }),
+          machine_load: machineLoad(),
         });
         if (what === MASK && ratio !== undefined && ratio > MOST_OF_MASK) context.fail(`vision: ${what} takes ${ratio} times the desktop's time in ${place}`);
       }

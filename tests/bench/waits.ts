@@ -54,7 +54,7 @@ function middleTrip(line: Line, place: Place): number {
 
 class Series {
   /** Ratios of ours to the peer's, by place, link and size. */
-  private readonly values = new Map<string, { ours: number[]; peer: number[]; ratios: number[] }>();
+  private readonly values = new Map<string, { ours: number[]; peer: number[]; ratios: number[]; }>();
 
   add(key: string, ours: number, peer: number): void {
     const series = this.values.get(key) ?? { ours: [], peer: [], ratios: [] };
@@ -68,7 +68,7 @@ class Series {
     return this.values.get(key)?.ours ?? [];
   }
 
-  entries(): IterableIterator<[string, { ours: number[]; peer: number[]; ratios: number[] }]> {
+  entries(): IterableIterator<[string, { ours: number[]; peer: number[]; ratios: number[]; }]> {
     return this.values.entries();
   }
 }
@@ -98,17 +98,30 @@ async function run(context: BenchContext, figure: Figure, state: State, recorded
     const ours = summary(series.ours(where));
     const worst = figure.what === 'round trip' ? ratio.max : ratio.min;
     context.emit({
-      bench: 'waits', what: figure.what, where, beside: state, runs: ratio.runs, unit: figure.unit, median: ours.median,
-      peer: 'ddsperf, loopback, in the same state', peer_median: summary(peer).median,
-      median_ratio: ratio.median, worst_ratio: worst, taken_by_others: Math.round(share * 100) / 100,
+      bench: 'waits',
+      what: figure.what,
+      where,
+      beside: state,
+      runs: ratio.runs,
+      unit: figure.unit,
+      median: ours.median,
+      peer: 'ddsperf, loopback, in the same state',
+      peer_median: summary(peer).median,
+      median_ratio: ratio.median,
+      worst_ratio: worst,
+      taken_by_others: Math.round(share * 100) / 100,
     });
     recorded.push({ line: `${figure.what}, ${where}, beside ${state}`, median: ratio.median, worst });
     if (!where.includes('shared')) continue;
     const port = summary(series.ours(where.replace('shared', 'port'))).median;
-    if (figure.what === 'round trip' && ours.max > port) context.fail(`waits: ${where} beside ${state}: ${ours.max} us in the worst run, ${port} us on the port link`);
-    if (figure.what === 'throughput' && ours.median < port) context.fail(`waits: ${where} beside ${state}: ${ours.median} messages/s, ${port} on the port link`);
-    if (figure.what === 'round trip' && worst > MOST_ROUND_TRIP) context.fail(`waits: ${where} beside ${state}: a round trip takes ${worst} times ddsperf's in the worst run`);
-    if (figure.what === 'throughput' && ratio.median < LEAST_THROUGHPUT) context.fail(`waits: ${where} beside ${state}: ${ratio.median} times ddsperf's messages`);
+    if (figure.what === 'round trip' && ours.max > port)
+      context.fail(`waits: ${where} beside ${state}: ${ours.max} us in the worst run, ${port} us on the port link`);
+    if (figure.what === 'throughput' && ours.median < port)
+      context.fail(`waits: ${where} beside ${state}: ${ours.median} messages/s, ${port} on the port link`);
+    if (figure.what === 'round trip' && worst > MOST_ROUND_TRIP)
+      context.fail(`waits: ${where} beside ${state}: a round trip takes ${worst} times ddsperf's in the worst run`);
+    if (figure.what === 'throughput' && ratio.median < LEAST_THROUGHPUT)
+      context.fail(`waits: ${where} beside ${state}: ${ratio.median} times ddsperf's messages`);
   }
 }
 
@@ -121,10 +134,12 @@ export async function benchWaits(context: BenchContext): Promise<void> {
   const recorded: Ratio[] = [];
   try {
     const trips = packLaunch(context, folder, ['link_bench'], 'trips', [
-      '{package: link_bench, executable: ponger}', `{package: link_bench, executable: pinger, ${LARGEST}}`,
+      '{package: link_bench, executable: ponger}',
+      `{package: link_bench, executable: pinger, ${LARGEST}}`,
     ]);
     const flood = packLaunch(context, folder, ['link_bench'], 'flood', [
-      '{package: link_bench, executable: flooder, parameters: {sinks: 1, largest: 1000}}', `{package: link_bench, executable: sink, ${LARGEST}}`,
+      '{package: link_bench, executable: flooder, parameters: {sinks: 1, largest: 1000}}',
+      `{package: link_bench, executable: sink, ${LARGEST}}`,
     ]);
     const figures: readonly Figure[] = [
       { what: 'round trip', unit: 'us', site: trips, until: 'pinger: done', peer: peerRoundTrip, ours: middleTrip },

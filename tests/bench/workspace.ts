@@ -33,7 +33,9 @@ export function benchWorkspace(context: BenchContext): void {
     const cache = join(folder, '.cache');
     const environment = { ...process.env, XDG_CACHE_HOME: cache };
     writeFileSync(join(folder, 'workspace.yaml'), JSON.stringify({
-      schema: 1, name: 'bench', distro: 'jazzy',
+      schema: 1,
+      name: 'bench',
+      distro: 'jazzy',
       packages: closure(names, all).map((one) => relative(folder, one.folder)),
       launch: [{ package: expected[0]?.package, executable: expected[0]?.executable }],
     }));
@@ -43,10 +45,17 @@ export function benchWorkspace(context: BenchContext): void {
     const bare = measure(bareCompiler(cache), environment);
     if (bare.exitCode !== 0) throw new Error(`the compiler failed: ${bare.stderr}`);
     context.emit({
-      bench: 'workspace', packages: names.length, programs: built.length,
-      build_ms: Math.round(whole.wallMs), build_aim_ms: AIM_MS, build_cpu_ms: Math.round(whole.cpuMs), build_peak_kb: whole.peakKb,
+      bench: 'workspace',
+      packages: names.length,
+      programs: built.length,
+      build_ms: Math.round(whole.wallMs),
+      build_aim_ms: AIM_MS,
+      build_cpu_ms: Math.round(whole.cpuMs),
+      build_peak_kb: whole.peakKb,
       peer: 'em++ alone for the same programs: the same compile commands, its own link with -O2, two packages at a time',
-      peer_ms: Math.round(bare.wallMs), peer_cpu_ms: Math.round(bare.cpuMs), peer_peak_kb: bare.peakKb,
+      peer_ms: Math.round(bare.wallMs),
+      peer_cpu_ms: Math.round(bare.cpuMs),
+      peer_peak_kb: bare.peakKb,
     });
     if (whole.wallMs > AIM_MS) context.fail(`the build took ${String(Math.round(whole.wallMs / 1000))} s, ${String(AIM_MS / 1000)} are the aim`);
   } finally {

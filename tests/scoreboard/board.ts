@@ -21,7 +21,8 @@ export interface Row {
 
 const KEPT_LINES = 40;
 /** Matches the endpoints that each node has: parameter services, parameter events, logging, its type descriptions. */
-const OF_EVERY_NODE = /^publisher \/(rosout|parameter_events) |^subscription \/parameter_events |\/(describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters|set_parameters_atomically|get_type_description) /;
+const OF_EVERY_NODE =
+  /^publisher \/(rosout|parameter_events) |^subscription \/parameter_events |\/(describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters|set_parameters_atomically|get_type_description) /;
 
 export function keptLines(lines: readonly string[]): string[] {
   return lines.slice(0, KEPT_LINES);
@@ -58,7 +59,10 @@ export function summary(rows: readonly Row[]): string {
   const launches = rows.filter(({ kind }) => kind === 'launch');
   const others = rows.filter(({ kind }) => kind !== 'launch');
   const counted = [[others, 'executables'], [launches, 'launch files']] as const;
-  return [...lines, `${counted.filter(([of]) => of.length > 0).map(([of, what]) => `${of.filter(isGreen).length} of ${of.length} ${what}`).join(' and ')} are green`].join('\n');
+  return [...lines,
+    `${counted.filter(([of]) => of.length > 0).map(([of, what]) => `${of.filter(isGreen).length} of ${of.length} ${what}`).join(' and ')} are green`].join(
+      '\n',
+    );
 }
 
 function firstLine(text: string): string {

@@ -9,7 +9,7 @@ export interface Start {
   readonly executable: string;
   readonly options: Readonly<Record<string, unknown>>;
   /** Texts for its standard input, each sent when a line of its output fits `after`. */
-  readonly input: readonly { readonly after: RegExp; readonly text: string }[];
+  readonly input: readonly { readonly after: RegExp; readonly text: string; }[];
   /** It is asked to stop, as by Ctrl-C, when a line of its output fits and its endpoints are there; undefined: it is left running. */
   readonly stop: RegExp | undefined;
   /** Each fits a line of its output, in this order. */
@@ -48,7 +48,7 @@ const SECONDS = 20;
 export class BadExpectation extends Error {}
 
 /** Key of a row: `package/executable`; of a launch file its place in share/package/, as `package/launch/all.launch.py`. */
-export function keyOf({ package: name, executable }: { readonly package: string; readonly executable: string }): string {
+export function keyOf({ package: name, executable }: { readonly package: string; readonly executable: string; }): string {
   return `${name}/${executable}`;
 }
 
@@ -85,8 +85,11 @@ function expectation(value: unknown, at: string): Expectation {
     program: entry['program'] === undefined ? started.executable : text(entry['program'], at),
     beside: list(entry['beside'], at).map((one) => start(mapping(one, START_KEYS, at), at)),
     endpoints: list(entry['endpoints'], at).map((one) => text(one, at)),
-    values: new Map(Object.entries(mapping(entry['values'] ?? {}, undefined, at)).map(([topic, fields]) =>
-      [topic, new Map(Object.entries(mapping(fields, undefined, at)).map(([path, value]) => [path, regex(value, at)]))])),
+    values: new Map(
+      Object.entries(mapping(entry['values'] ?? {}, undefined, at)).map((
+        [topic, fields],
+      ) => [topic, new Map(Object.entries(mapping(fields, undefined, at)).map(([path, value]) => [path, regex(value, at)]))]),
+    ),
     exit: number(entry['exit'], at),
     seconds: number(entry['seconds'], at) ?? SECONDS,
   };

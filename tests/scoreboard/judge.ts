@@ -9,7 +9,7 @@ export interface SeenNode {
   readonly started: boolean;
   /** Its exit code once it has ended; a crash has its code and message instead. */
   readonly exit: number | undefined;
-  readonly crash: { readonly code: string; readonly message: string } | undefined;
+  readonly crash: { readonly code: string; readonly message: string; } | undefined;
 }
 
 export interface Seen {

@@ -107,7 +107,8 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
   };
   const look = (): void => {
     for (const record of broker.link.records()) {
-      if (kind === 'launch' ? broker.admitted.includes(record.participant) : own.has(record.participant)) endpoints.add(`${KINDS[record.kind]} ${record.name} ${record.type}`);
+      if (kind === 'launch' ? broker.admitted.includes(record.participant) : own.has(record.participant))
+        endpoints.add(`${KINDS[record.kind]} ${record.name} ${record.type}`);
     }
     const views = session.nodes();
     views.forEach((view, index) => watched[index]?.note(view));
@@ -136,9 +137,9 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
   try {
     if (kind === 'launch') session.startAll();
     else for (const [index, node] of site.nodes.entries()) {
-      session.start(node.id);
-      if (index === 0) for (const place of broker.admitted) own.add(place);
-    }
+        session.start(node.id);
+        if (index === 0) { for (const place of broker.admitted) own.add(place); }
+      }
     const starting = PYTHON_START_SECONDS * site.nodes.filter((node) => node.kind === 'python').length;
     let until = performance.now() + 1000 * ((expected?.seconds ?? UNEXPECTED_SECONDS) + starting);
     let verdict: Verdict | undefined;

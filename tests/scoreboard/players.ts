@@ -34,7 +34,12 @@ export function nodePlayer(headless: string): Player {
 /** The nodes of a site are workers of a page on its host, beside the site's own. */
 export async function chromiumPlayer(): Promise<Player> {
   const { outputFiles: [script] } = await build({
-    entryPoints: [join(import.meta.dirname, 'play_page.ts')], bundle: true, format: 'iife', target: 'es2022', write: false, logLevel: 'warning',
+    entryPoints: [join(import.meta.dirname, 'play_page.ts')],
+    bundle: true,
+    format: 'iife',
+    target: 'es2022',
+    write: false,
+    logLevel: 'warning',
   });
   if (script === undefined) throw new Error('the script of the page is not made');
   const browser = await chromium.launch(wholeChromium());
@@ -47,7 +52,7 @@ export async function chromiumPlayer(): Promise<Player> {
       try {
         await page.goto(`${host.url}play.html`);
         return await page.evaluate((text) => {
-          const { playSite } = globalThis as unknown as { playSite: (text: string) => Promise<Played> };
+          const { playSite } = globalThis as unknown as { playSite: (text: string) => Promise<Played>; };
           return playSite(text);
         }, posted(asked));
       } finally {

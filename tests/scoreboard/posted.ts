@@ -2,8 +2,7 @@
 import type { Asked } from './play.ts';
 
 export function posted(asked: Asked): string {
-  return JSON.stringify(asked, (_, value: unknown) =>
-    value instanceof RegExp ? { regex: value.source } : value instanceof Map ? { map: [...value] } : value);
+  return JSON.stringify(asked, (_, value: unknown) => value instanceof RegExp ? { regex: value.source } : value instanceof Map ? { map: [...value] } : value);
 }
 
 export function received(text: string): Asked {

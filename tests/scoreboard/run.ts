@@ -37,7 +37,17 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   const made = 'executables' in built ? built.executables.filter((name) => !CONTAINERS.includes(name)) : [];
   const leftOut: ReadonlyMap<string, Failure> = 'leftOut' in built ? built.leftOut : new Map();
   const names = [...new Set([...stated, ...made, ...leftOut.keys()])].sort();
-  const blank = { package: of.name, language: of.language, kind: 'executable', built: false, started: false, endpoints: [], log_lines: [], expected: null, error: null } as const;
+  const blank = {
+    package: of.name,
+    language: of.language,
+    kind: 'executable',
+    built: false,
+    started: false,
+    endpoints: [],
+    log_lines: [],
+    expected: null,
+    error: null,
+  } as const;
   if ('failure' in built) {
     const launches = [...new Set([...statedLaunches, ...launchFiles(of.folder)])].sort();
     if (names.length + launches.length === 0) return [{ ...blank, executable: '', kind: 'package', error: built.failure }];
@@ -52,7 +62,8 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
     const expected = expectations.get(keyOf({ package: of.name, executable }));
     const failure = leftOut.get(expected?.program ?? executable);
     if (failure !== undefined) return { ...row, error: failure };
-    if (!built.executables.includes(expected?.program ?? executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
+    if (!built.executables.includes(expected?.program ?? executable))
+      return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
     return playedRow(board, row, await workshop.pack({ package: of.name, executable }, expected), expected);
   });
   const ofLaunches = await inParallel(launches.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
@@ -69,10 +80,17 @@ async function playedRow(board: Board, row: Row, packed: Packed, expected: Expec
   const { node, endpoints, verdict } = await board.player.play(packed.site, { kind: row.kind === 'launch' ? 'launch' : 'executable', expected });
   const missing = verdict?.missing[0];
   return {
-    ...row, built: true, started: node.started, endpoints: ownEndpoints(endpoints), log_lines: keptLines(node.lines),
+    ...row,
+    built: true,
+    started: node.started,
+    endpoints: ownEndpoints(endpoints),
+    log_lines: keptLines(node.lines),
     expected: verdict === undefined ? null : missing === undefined,
-    error: node.crash !== undefined ? { code: node.crash.code, reason: node.crash.message }
-      : missing === undefined ? null : { code: 'unmet', reason: missing },
+    error: node.crash !== undefined
+      ? { code: node.crash.code, reason: node.crash.message }
+      : missing === undefined
+      ? null
+      : { code: 'unmet', reason: missing },
   };
 }
 
@@ -128,7 +146,8 @@ async function main(): Promise<number> {
   if (chosen.size === 0) throw new Misused(`there is no package.xml below ${options.folder}`);
   // The programs that run beside an executable may be from tests/packages.
   const packages = findPackages([resolve(options.folder), join(root, 'tests/packages')]);
-  const wanted = (key: string): boolean => options.only === undefined || options.only.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
+  const wanted = (key: string): boolean =>
+    options.only === undefined || options.only.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
   const work = mkdtempSync(join(tmpdir(), 'ros2wasm-scoreboard-'));
   const expectations = readExpectations(files);
   const player = options.chromium ? await chromiumPlayer() : nodePlayer(join(build, 'runtime/headless.js'));

@@ -14,10 +14,10 @@ export interface Failure {
 
 /** `leftOut`: programs that the package has and that were not built. */
 export type Built =
-  | { readonly executables: readonly string[]; readonly leftOut: ReadonlyMap<string, Failure>; readonly launches: readonly string[] }
-  | { readonly failure: Failure };
+  | { readonly executables: readonly string[]; readonly leftOut: ReadonlyMap<string, Failure>; readonly launches: readonly string[]; }
+  | { readonly failure: Failure; };
 
-export type Packed = { readonly site: string } | { readonly failure: Failure };
+export type Packed = { readonly site: string; } | { readonly failure: Failure; };
 
 /** As in a manifest, with further keys. */
 interface LaunchedNode {
@@ -44,10 +44,14 @@ export class Workshop {
     const manifest = this.manifest(join(this.folder, name), [name], [{ package: name, executable: 'any' }]);
     const { failure, output, messages } = await this.run(['build', '--quick', manifest]);
     if (failure !== undefined) return { failure };
-    const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string }[];
+    const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string; }[];
     const prefix = built.find((one) => one.package === name)?.prefix;
     if (prefix === undefined) return { failure: whyLeftOut(messages, name) };
-    return { executables: programs(join(prefix, 'lib', name)), leftOut: leftOutPrograms(join(prefix, 'lib', name)), launches: launchFiles(join(prefix, 'share', name)) };
+    return {
+      executables: programs(join(prefix, 'lib', name)),
+      leftOut: leftOutPrograms(join(prefix, 'lib', name)),
+      launches: launchFiles(join(prefix, 'share', name)),
+    };
   }
 
   /** The folder of a site with the executable and what runs beside it, the executable first. */
@@ -83,7 +87,9 @@ export class Workshop {
     const local = closure(names, this.packages);
     const file = join(folder, 'workspace.yaml');
     writeFileSync(file, JSON.stringify({
-      schema: 1, name: 'scoreboard', distro: 'jazzy',
+      schema: 1,
+      name: 'scoreboard',
+      distro: 'jazzy',
       packages: local.map((one) => relative(folder, one.folder)),
       dependencies: names.filter((name) => !this.packages.has(name)),
       launch,
@@ -91,7 +97,7 @@ export class Workshop {
     return file;
   }
 
-  private run(args: readonly string[]): Promise<{ readonly failure: Failure | undefined; readonly output: string; readonly messages: string }> {
+  private run(args: readonly string[]): Promise<{ readonly failure: Failure | undefined; readonly output: string; readonly messages: string; }> {
     return new Promise((resolve) => {
       execFile(this.cli, [...args, '--json'], { maxBuffer: 1 << 28 }, (error, output, messages) => {
         resolve({ output, messages, failure: error === null ? undefined : firstError(messages) ?? { code: 'failed', reason: error.message } });
@@ -176,7 +182,7 @@ interface Finding {
   readonly message?: string;
   readonly detail?: string;
   readonly why?: readonly string[];
-  readonly span?: { readonly file: string; readonly line: number } | null;
+  readonly span?: { readonly file: string; readonly line: number; } | null;
 }
 
 function findings(messages: string): readonly Finding[] {

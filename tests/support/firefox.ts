@@ -10,8 +10,8 @@ const program = 'firefox-esr';
 const listening = /WebDriver BiDi listening on (ws:\/\/\S+)/;
 const lookMs = 200;
 
-type Answer = { readonly id?: number; readonly type: string; readonly result?: unknown; readonly error?: string; readonly message?: string };
-type Evaluated = { readonly type: string; readonly result?: { readonly value?: unknown }; readonly exceptionDetails?: { readonly text: string } };
+type Answer = { readonly id?: number; readonly type: string; readonly result?: unknown; readonly error?: string; readonly message?: string; };
+type Evaluated = { readonly type: string; readonly result?: { readonly value?: unknown; }; readonly exceptionDetails?: { readonly text: string; }; };
 
 /** Where it waits for its driver. */
 function addressOf(child: ChildProcess): Promise<string> {
@@ -55,16 +55,17 @@ export class Firefox {
   }
 
   /** Without service workers a page has the headers that its host sends, and no others. */
-  static async launch({ serviceWorkers }: { readonly serviceWorkers: boolean }): Promise<Firefox> {
+  static async launch({ serviceWorkers }: { readonly serviceWorkers: boolean; }): Promise<Firefox> {
     const profile = mkdtempSync(join(tmpdir(), 'ros2wasm-firefox-'));
     writeFileSync(join(profile, 'user.js'), `user_pref("dom.serviceWorkers.enabled", ${serviceWorkers});\n`);
     const child = spawn(program, ['--headless', '--no-remote', '--profile', profile, '--remote-debugging-port', '0'], {
-      stdio: ['ignore', 'ignore', 'pipe'], env: { ...process.env, HOME: profile },
+      stdio: ['ignore', 'ignore', 'pipe'],
+      env: { ...process.env, HOME: profile },
     });
     const socket = await connected(`${await addressOf(child)}/session`);
     const firefox = new Firefox(child, profile, socket);
     await firefox.send('session.new', { capabilities: {} });
-    firefox.context = (await firefox.send('browsingContext.create', { type: 'tab' }) as { readonly context: string }).context;
+    firefox.context = (await firefox.send('browsingContext.create', { type: 'tab' }) as { readonly context: string; }).context;
     return firefox;
   }
 

@@ -15,9 +15,10 @@ const is = (...allowed: readonly unknown[]): Rule => (value) => fails(allowed.in
 const id: Rule = (value) => fails(typeof value === 'string' && /^[a-zA-Z0-9_-]{1,64}$/.test(value), 'is not an id');
 
 /** Data by MIME type: JSON where the type says so, else text. */
-const bundle: Rule = (value) => isObject(value)
-  ? Object.entries(value).flatMap(([mime, data]) => /^application\/(.*\+)?json$/.test(mime) ? [] : at(mime, lines(data, 0)))
-  : ['is not an object'];
+const bundle: Rule = (value) =>
+  isObject(value)
+    ? Object.entries(value).flatMap(([mime, data]) => /^application\/(.*\+)?json$/.test(mime) ? [] : at(mime, lines(data, 0)))
+    : ['is not an object'];
 const attachments: Rule = (value, minor) =>
   isObject(value) ? Object.entries(value).flatMap(([name, data]) => at(name, bundle(data, minor))) : ['is not an object'];
 
@@ -48,8 +49,7 @@ const output: Rule = (value, minor) => {
   return wanted === undefined ? ['.output_type is unknown'] : members(value, minor, { output_type: is(kind), ...wanted });
 };
 
-const list = (rule: Rule): Rule => (value, minor) =>
-  Array.isArray(value) ? value.flatMap((each, i) => at(`[${i}]`, rule(each, minor))) : ['is not a list'];
+const list = (rule: Rule): Rule => (value, minor) => Array.isArray(value) ? value.flatMap((each, i) => at(`[${i}]`, rule(each, minor))) : ['is not a list'];
 
 const cell: Rule = (value, minor) => {
   const kind = isObject(value) ? value['cell_type'] : '';

@@ -11,6 +11,6 @@ export function played<const T extends readonly [unknown, ...unknown[]]>(...vari
 }
 
 /** A test of nightly runs. An ordinary run does not have it: it is neither skipped nor passed there. */
-export function nightlyTest(name: string, options: { readonly timeout: number }, body: () => Promise<void>): void {
+export function nightlyTest(name: string, options: { readonly timeout: number; }, body: () => Promise<void>): void {
   if (nightly) void test(name, options, body);
 }

@@ -51,8 +51,10 @@ export function compiledStdlib(): string {
 /** The compiled modules that rclpy's package has beside its sources. */
 function compiledModules(packages: readonly string[]): string {
   const script = join(library, 'compile_modules.mjs');
-  const sources = packages.flatMap((folder) => readdirSync(folder, { recursive: true, encoding: 'utf8' })
-    .filter((name) => name.endsWith('.py')).sort().map((name) => join(folder, name)));
+  const sources = packages.flatMap((folder) =>
+    readdirSync(folder, { recursive: true, encoding: 'utf8' })
+      .filter((name) => name.endsWith('.py')).sort().map((name) => join(folder, name))
+  );
   return madeOnce('modules', [script, join(library, 'compiler.mjs'), ...sources],
     (place) => void execFileSync(process.execPath, [script, pyodide, `/ros/${sitePackages}`, place, ...packages]));
 }
@@ -91,7 +93,9 @@ export function addNumpy(folder: string): void {
   const packed = join(root, 'node_modules/@emscripten-forge/numpy/pkg');
   for (const file of readdirSync(packed)) execFileSync('tar', ['xzf', join(packed, file), '-C', unpacked]);
   execFileSync('python3', [
-    join(root, 'tests/support/make_archive.py'), join(folder, 'python/numpy.zip'), `${join(unpacked, sitePackages)}=${sitePackages}`,
+    join(root, 'tests/support/make_archive.py'),
+    join(folder, 'python/numpy.zip'),
+    `${join(unpacked, sitePackages)}=${sitePackages}`,
   ]);
   rmSync(unpacked, { recursive: true });
 }
@@ -107,9 +111,18 @@ export function describePython(node: PythonNode, index: number): Record<string, 
   const { entry, executable } = node;
   const archives = ['python/rclpy.zip', 'python/packages.zip', ...(node.numpy === true ? ['python/numpy.zip'] : [])];
   return {
-    id: `${executable}-${index}`, package: 'test', executable, label: `/${executable}`, kind: 'python',
-    program: 'pyodide/pyodide.asm.wasm', python: { archives, entry },
-    threads: false, respawn: false, arguments: node.arguments ?? [], environment: node.environment ?? {}, output: 'screen',
+    id: `${executable}-${index}`,
+    package: 'test',
+    executable,
+    label: `/${executable}`,
+    kind: 'python',
+    program: 'pyodide/pyodide.asm.wasm',
+    python: { archives, entry },
+    threads: false,
+    respawn: false,
+    arguments: node.arguments ?? [],
+    environment: node.environment ?? {},
+    output: 'screen',
     source: { file: 'workspace.yaml', line: 2 + index, column: 5 },
   };
 }

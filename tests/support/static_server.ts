@@ -35,7 +35,8 @@ export interface HostRules {
 }
 
 export async function serveFolder(
-  folder: string, { isolated = false, maxAge, broken }: HostRules = {},
+  folder: string,
+  { isolated = false, maxAge, broken }: HostRules = {},
 ): Promise<StaticServer> {
   const requests: string[] = [];
   const headers = {

@@ -11,6 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 600  # lines of one source file
+FUNCTION_LIMIT = 180  # lines of one function, with what is inside it
 PYTHON = "/usr/bin/python3"  # Debian's: the one that its flake8 and mypy are installed for
 REGISTRY_OR_MACHINE = re.compile(
     "://[^/ ]*(" + "|".join(("debian", "npmjs")) + r")\.|(^|[^A-Za-z0-9_.])/wor[k]/[A-Za-z.]"
@@ -21,6 +22,21 @@ CODE = re.compile(r"R2W\d{4}")
 CMAKE_MODULE = re.compile(r"(templates/toolchain/modules|runtime/packages/\w+/\w+/cmake)/[^/]+\.cmake(\.in)?$")
 CMAKE_CODE = re.compile(r"^\s*(function|macro|if)\(", re.MULTILINE)
 NO_CODE = "R2W9999"  # stands for one that does not exist
+
+# TypeScript has types in PascalCase; functions, variables and parameters in camelCase; constants of a module in
+# camelCase or in CONSTANT_CASE. Components are functions that begin with a capital letter, in .tsx files.
+TS_NAMES = (
+    (re.compile(r"^\s*(?:export )?const (k[A-Z]\w*)"), "a constant has no prefix"),
+    (re.compile(r"^(?:export )?(?:class|interface|type|enum) ([a-z_]\w*)"), "a type begins with a capital letter"),
+    (re.compile(r"^\s*(?:export )?(?:async )?function (\w+_\w*)"), "a function is in camelCase"),
+    (re.compile(r"^\s*(?:const|let) ([a-z]+_\w*)\s*[:=]"), "a variable is in camelCase"),
+)
+FUNCTION = re.compile(
+    r"^(?P<indent>(?:  )?)(?:(?:export |default |async )*function\*? (?P<ts>\w+)"
+    r"|(?:export )?const (?P<arrow>\w+) = [^;]*=> \{$"
+    r"|(?!namespace|class|struct|enum|union|extern|if|for|while|switch|return|do|else|TEST)"
+    r"[A-Za-z_\[].*\)(?:: [^;]+)? (?:const )?(?:noexcept )?\{$)"
+)
 
 WIRE_NUMBER = re.compile(r"\b(?:slot|other|from|to)\]? \+ [1-6]\]|\bload\(slot \+ [1-6]")
 
@@ -44,6 +60,22 @@ def run(*command: str, environment: dict[str, str] | None = None) -> str | None:
     return None if process.returncode == 0 else process.stdout[-6000:]
 
 
+def long_functions(name: str, lines: list[str]) -> list[str]:
+    """Functions that are longer than FUNCTION_LIMIT. The formatters put the end of each below its beginning."""
+    errors = []
+    for number, line in enumerate(lines, 1):
+        begun = FUNCTION.match(line)
+        if begun is None:
+            continue
+        indent = begun["indent"]
+        end = next((n for n, later in enumerate(lines[number:], number + 1)
+                    if later.startswith(indent + "}") and not later.startswith(indent + "} from")
+                    and not later.startswith((indent + "}):", indent + "}: "))), number)
+        if end - number > FUNCTION_LIMIT:
+            errors.append(f"{name}:{number}: a function of {end - number} lines ({FUNCTION_LIMIT} at most)")
+    return errors
+
+
 def house_rules(names: list[str] | None = None) -> str | None:
     """Of these files, or of all."""
     errors = []
@@ -61,7 +93,12 @@ def house_rules(names: list[str] | None = None) -> str | None:
             errors.append(f"{name}: a name that says nothing")
         if CMAKE_MODULE.match(name) and CMAKE_CODE.search(text) and "cmake_policy(VERSION" not in text:
             errors.append(f"{name}: a module sets its policies itself: cmake_policy(VERSION ...)")
+        if path.suffix in {".cpp", ".ts", ".tsx"}:
+            errors += long_functions(name, text.splitlines())
         for number, line in enumerate(text.splitlines(), 1):
+            if path.suffix in {".ts", ".tsx"}:
+                errors += [f"{name}:{number}: {found[1]}: {rule}" for pattern, rule in TS_NAMES
+                           if (found := pattern.match(line))]
             for code in CODE.findall(line):
                 if code != NO_CODE and not (ROOT / "cli/explain" / f"{code}.md").is_file():
                     errors.append(f"{name}:{number}: there is no code {code}")
@@ -87,6 +124,7 @@ def checks() -> dict[str, object]:
     shell = ["dev", ".ci/run", *tracked(".sh")]
     return {
         "format": lambda: run("clang-format", "--dry-run", "--Werror", *native_files()),
+        "typescript": lambda: run("node_modules/.bin/dprint", "check"),
         "layers": lambda: run(sys.executable, "tests/tools/layers.py"),
         "files": lambda: run(sys.executable, "tests/tools/file_calls.py"),
         "house": house_rules,
@@ -113,7 +151,8 @@ def main() -> int:
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
     if options.fix:
-        return subprocess.run(["clang-format", "-i", *native_files()], cwd=ROOT, check=False).returncode
+        commands = (["clang-format", "-i", *native_files()], ["node_modules/.bin/dprint", "fmt"])
+        return max(subprocess.run(command, cwd=ROOT, check=False).returncode for command in commands)
     failed = 0
     rows = {name: check for name, check in checks().items() if not options.names or name in options.names}
     for name, check in rows.items():

@@ -7,20 +7,21 @@ import { join } from 'node:path';
 import { parse } from 'acorn';
 import { transformSync } from 'esbuild';
 
-const kRoot = 'runtime/site/ui';
+const ROOT = 'runtime/site/ui';
 /** Attributes that are seen or heard, and props of our own parts that become such. */
-const kRead = new Set(['children', 'aria-label', 'aria-description', 'aria-roledescription', 'aria-valuetext', 'title', 'placeholder', 'alt', 'label', 'words', 'note']);
+const READ = new Set(['children', 'aria-label', 'aria-description', 'aria-roledescription', 'aria-valuetext', 'title', 'placeholder', 'alt', 'label', 'words',
+  'note']);
 /** `/cmd_vel`, `geometry_msgs/msg/Twist`, `CITATION.cff`, and what stands before a code in a terminal: `error[`. */
-const kName = /^\/?[a-z]\w*(\/\w+)+$|^\/\w+$|^\w+\.\w+$|^error\[$/;
+const NAME = /^\/?[a-z]\w*(\/\w+)+$|^\/\w+$|^\w+\.\w+$|^error\[$/;
 
 function isWords(text: string): boolean {
-  return /\p{L}{2}/u.test(text) && !kName.test(text.trim());
+  return /\p{L}{2}/u.test(text) && !NAME.test(text.trim());
 }
 
 /** Three words one after the other that are no names, as keys of RViz's files are: `Min Color Value`. */
-const kSentence = /(?<![\p{L}\p{N}-])\p{L}{2,} \p{Ll}{2,} \p{Ll}{2,}(?![\p{L}\p{N}-])/u;
+const SENTENCE = /(?<![\p{L}\p{N}-])\p{L}{2,} \p{Ll}{2,} \p{Ll}{2,}(?![\p{L}\p{N}-])/u;
 /** Texts that are not from ros2wasm: one that `patch` must read, one that Python prints. */
-const kNotOurs = new Set(['\\ No newline at end of file', 'Traceback (most recent call last)']);
+const NOT_OURS = new Set(['\\ No newline at end of file', 'Traceback (most recent call last)']);
 
 type Tree = Readonly<Record<string, unknown>>;
 
@@ -63,7 +64,8 @@ export function sentencesIn(text: string): readonly string[] {
   const found: string[] = [];
   const visit = (node: Tree): void => {
     if (node['type'] === 'NewExpression' && trees(node['callee']).some(({ name }) => name === 'TypeError')) return;
-    if (node['type'] === 'Literal' || node['type'] === 'TemplateLiteral') found.push(...literals(node).filter((one) => kSentence.test(one) && !kNotOurs.has(one)));
+    if (node['type'] === 'Literal' || node['type'] === 'TemplateLiteral')
+      found.push(...literals(node).filter((one) => SENTENCE.test(one) && !NOT_OURS.has(one)));
     for (const part of Object.values(node)) trees(part).forEach(visit);
   };
   parsed(text).forEach(visit);
@@ -75,9 +77,10 @@ export function wordsIn(text: string): readonly string[] {
   const found: string[] = [];
   const visit = (node: Tree): void => {
     // A JSX element after esbuild has transformed it.
-    if (node['type'] === 'CallExpression' && trees(node['callee']).some(({ name }) => name === 'jsx' || name === 'jsxs'))
+    if (node['type'] === 'CallExpression' && trees(node['callee']).some(({ name }) => name === 'jsx' || name === 'jsxs')) {
       for (const { key, value } of trees(trees(node['arguments'])[1]?.['properties']))
-        if (trees(key).some(({ name, value: quoted }) => kRead.has(String(name ?? quoted)))) found.push(...literals(value).filter(isWords));
+        if (trees(key).some(({ name, value: quoted }) => READ.has(String(name ?? quoted)))) found.push(...literals(value).filter(isWords));
+    }
     for (const part of Object.values(node)) trees(part).forEach(visit);
   };
   parsed(text).forEach(visit);
@@ -85,10 +88,10 @@ export function wordsIn(text: string): readonly string[] {
 }
 
 if (process.argv[1]?.endsWith('page_texts.ts') === true) {
-  for (const name of readdirSync(kRoot, { recursive: true, encoding: 'utf8' }).filter((one) => /(?<!^texts\w*)\.tsx?$/.test(one))) {
-    const text = readFileSync(join(kRoot, name), 'utf8');
+  for (const name of readdirSync(ROOT, { recursive: true, encoding: 'utf8' }).filter((one) => /(?<!^texts\w*)\.tsx?$/.test(one))) {
+    const text = readFileSync(join(ROOT, name), 'utf8');
     for (const words of new Set([...wordsIn(text), ...sentencesIn(text)])) {
-      console.log(`${join(kRoot, name)}: \u201c${words.trim()}\u201d belongs into runtime/site/ui/texts*.ts`);
+      console.log(`${join(ROOT, name)}: \u201c${words.trim()}\u201d belongs into runtime/site/ui/texts*.ts`);
       process.exitCode = 1;
     }
   }

@@ -95,7 +95,9 @@ def steps(build: Path, changed: list[str]) -> list[tuple[str, Callable[[], str |
     rows.append(("house", lambda: lint.house_rules(changed)))
     if native:
         rows.append(("format", lambda: lint.run("clang-format", "--dry-run", "--Werror", *native)))
-    if any(name.endswith((".ts", ".tsx", ".mjs")) for name in changed):
+    scripted = [name for name in changed if name.endswith((".ts", ".tsx", ".mjs"))]
+    if scripted:
+        rows.append(("typescript", lambda: lint.run("node_modules/.bin/dprint", "check", *scripted)))
         rows.append(("types", every["types"]))
     if any(name.startswith("runtime/protocol/") for name in changed):
         rows.append(("constants", every["constants"]))

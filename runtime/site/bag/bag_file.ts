@@ -86,7 +86,7 @@ export async function openBag(source: BagSource): Promise<Bag> {
       fix: 'convert other bags with `ros2 bag convert`, or record with `--storage mcap`',
     });
   }
-  const problem: string | { readonly bag: Bag } = await openIndexed(source).then((bag) => ({ bag }), reasonOf);
+  const problem: string | { readonly bag: Bag; } = await openIndexed(source).then((bag) => ({ bag }), reasonOf);
   return typeof problem === 'string' ? await readWhole(source, problem) : problem.bag;
 }
 
@@ -126,8 +126,14 @@ async function openIndexed(source: BagSource): Promise<Bag> {
     }
   }
   return {
-    name: source.name, size: source.size, distro: /^\w{1,40}$/.test(distro) ? distro : '', start, end, ...described,
-    messages: Number(statistics?.messageCount ?? 0n), damage: undefined,
+    name: source.name,
+    size: source.size,
+    distro: /^\w{1,40}$/.test(distro) ? distro : '',
+    start,
+    end,
+    ...described,
+    messages: Number(statistics?.messageCount ?? 0n),
+    damage: undefined,
     async *read(from, topics) {
       try {
         for await (const { channelId, logTime, data } of reader.readMessages({ startTime: from, topics })) {
@@ -161,8 +167,10 @@ function heldAtOnce(chunks: readonly Span[]): number {
 }
 
 function describe(
-  channels: readonly ChannelRecord[], schemas: ReadonlyMap<number, SchemaRecord>, count: (channel: number) => number,
-): { channels: BagChannel[]; definitions: Map<string, string> } {
+  channels: readonly ChannelRecord[],
+  schemas: ReadonlyMap<number, SchemaRecord>,
+  count: (channel: number) => number,
+): { channels: BagChannel[]; definitions: Map<string, string>; } {
   if (channels.length > mostChannels) throw new Error(`it has ${channels.length} topics`);
   const definitions = new Map<string, string>();
   let left = mostSchemasBytes;
@@ -176,7 +184,11 @@ function describe(
   return {
     definitions,
     channels: channels.map(({ id, topic, schemaId, messageEncoding, metadata }) => ({
-      id, topic, type: fullType(schemas.get(schemaId)?.name ?? ''), encoding: messageEncoding, count: count(id),
+      id,
+      topic,
+      type: fullType(schemas.get(schemaId)?.name ?? ''),
+      encoding: messageEncoding,
+      count: count(id),
       offered: readProfiles(metadata.get('offered_qos_profiles') ?? ''),
     })).sort((a, b) => (a.topic < b.topic ? -1 : 1)),
   };
@@ -227,8 +239,14 @@ async function readWhole(source: BagSource, noIndex: string): Promise<Bag> {
   }
   kept.sort((a, b) => (a.logTime < b.logTime ? -1 : a.logTime > b.logTime ? 1 : 0));
   return {
-    name: source.name, size: source.size, distro: '', start: kept[0]?.logTime ?? 0n, end: kept.at(-1)?.logTime ?? 0n,
-    messages: kept.length, damage, ...describe([...channels.values()], schemas, (id) => counts.get(id) ?? 0),
+    name: source.name,
+    size: source.size,
+    distro: '',
+    start: kept[0]?.logTime ?? 0n,
+    end: kept.at(-1)?.logTime ?? 0n,
+    messages: kept.length,
+    damage,
+    ...describe([...channels.values()], schemas, (id) => counts.get(id) ?? 0),
     async *read(from, topics) {
       const wanted = new Set([...channels.values()].filter(({ topic }) => topics.includes(topic)).map(({ id }) => id));
       for (const message of kept) if (message.logTime >= from && wanted.has(message.channel)) yield message;

@@ -33,12 +33,12 @@ export class BagWriter {
   private waiting = 0;
   private count = 0;
   private readonly distro: string;
-  private readonly channels = new Map<string, { readonly id: Promise<number>; messages: number }>();
+  private readonly channels = new Map<string, { readonly id: Promise<number>; messages: number; }>();
   private readonly schemas = new Map<string, Promise<number>>();
   private tail: Promise<unknown>;
 
   /** `library`: what made it. `distro`: as in ROS_DISTRO. */
-  constructor(sink: BagSink, { library, distro }: { readonly library: string; readonly distro: string }) {
+  constructor(sink: BagSink, { library, distro }: { readonly library: string; readonly distro: string; }) {
     this.distro = distro;
     this.writer = new McapWriter({
       writable: {
@@ -66,11 +66,15 @@ export class BagWriter {
     if (this.channels.has(name)) return;
     const id = this.queue(async () => {
       const known = this.schemas.get(type) ?? this.writer.registerSchema({
-        name: type, encoding: schema === undefined ? '' : 'ros2msg', data: new TextEncoder().encode(schema ?? ''),
+        name: type,
+        encoding: schema === undefined ? '' : 'ros2msg',
+        data: new TextEncoder().encode(schema ?? ''),
       });
       this.schemas.set(type, known);
       return await this.writer.registerChannel({
-        topic: name, schemaId: await known, messageEncoding: 'cdr',
+        topic: name,
+        schemaId: await known,
+        messageEncoding: 'cdr',
         metadata: new Map([['offered_qos_profiles', writeProfiles(offered)], ...(hash === '' ? [] : [['topic_type_hash', hash] as const])]),
       });
     });
@@ -97,7 +101,8 @@ export class BagWriter {
   async end(): Promise<void> {
     await this.queue(async () => {
       await this.writer.addMetadata({
-        name: 'rosbag2', metadata: new Map([['serialized_metadata', this.description()], ['ROS_DISTRO', this.distro]]),
+        name: 'rosbag2',
+        metadata: new Map([['serialized_metadata', this.description()], ['ROS_DISTRO', this.distro]]),
       });
       await this.writer.end();
     });
@@ -107,9 +112,17 @@ export class BagWriter {
   private description(): string {
     const { messageStartTime: start = 0n, messageEndTime: end = 0n, messageCount = 0n } = this.writer.statistics ?? {};
     return [
-      'version: 9', 'storage_identifier: mcap', `duration:\n  nanoseconds: ${end - start}`,
-      `starting_time:\n  nanoseconds_since_epoch: ${start}`, `message_count: ${messageCount}`, 'topics_with_message_count: []',
-      'compression_format: ""', 'compression_mode: ""', 'relative_file_paths: []', 'files: []', 'custom_data: {}',
+      'version: 9',
+      'storage_identifier: mcap',
+      `duration:\n  nanoseconds: ${end - start}`,
+      `starting_time:\n  nanoseconds_since_epoch: ${start}`,
+      `message_count: ${messageCount}`,
+      'topics_with_message_count: []',
+      'compression_format: ""',
+      'compression_mode: ""',
+      'relative_file_paths: []',
+      'files: []',
+      'custom_data: {}',
       `ros_distro: ${/^\w+$/.test(this.distro) ? this.distro : 'unknown'}`,
     ].join('\n');
   }

@@ -38,12 +38,12 @@ export class BagPlayer {
   private readonly changed: () => void;
   private options: Required<PlayOptions>;
   /** The place in the bag at a time of the site, from which the present one follows. */
-  private anchor: { readonly siteMs: number; readonly ns: bigint };
+  private anchor: { readonly siteMs: number; readonly ns: bigint; };
   /** When the next message is to be sent: the place is never beyond it, so that a pause loses none. */
   private due = 0n;
   private publishers = new Map<number, PagePublisher>();
   private running: AbortController | undefined;
-  private clock: { readonly publisher: PagePublisher; readonly timer: PageTimer } | undefined;
+  private clock: { readonly publisher: PagePublisher; readonly timer: PageTimer; } | undefined;
   /** Ends a wait before its time. */
   private hurry: (() => void) | undefined;
   state: PlayState = 'paused';
@@ -59,7 +59,14 @@ export class BagPlayer {
     this.bag = bag;
     this.changed = changed;
     this.options = {
-      rate: 1, loop: false, clockHz: 0, topics: playable(bag), names: new Map(), from: bag.start, to: bag.end, ...options,
+      rate: 1,
+      loop: false,
+      clockHz: 0,
+      topics: playable(bag),
+      names: new Map(),
+      from: bag.start,
+      to: bag.end,
+      ...options,
     };
     this.anchor = { siteMs: 0, ns: this.options.from };
   }
@@ -134,7 +141,8 @@ export class BagPlayer {
       if (abort.signal.aborted) return;
       this.halt();
       this.state = 'paused';
-      this.problem = error instanceof SiteError ? error
+      this.problem = error instanceof SiteError
+        ? error
         : new SiteError('R2W0741', `the bag \`${this.bag.name}\` is damaged`, { why: error instanceof Error ? error.message : String(error) });
       this.changed();
     });
@@ -182,10 +190,12 @@ export class BagPlayer {
 
   /** Publishes the messages that latched topics held at that place, as late subscriptions would get them. */
   private async sendLatched(before: bigint, signal: AbortSignal): Promise<void> {
-    const isLatched = ({ topic, offered }: BagChannel): boolean =>
-      this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local';
-    const latched = new Map(this.bag.channels.filter(isLatched).map(({ id, topic, offered }) =>
-      [id, { topic, depth: offerFor(offered).depth ?? 10, count: 0, last: [] as BagMessage[] }]));
+    const isLatched = ({ topic, offered }: BagChannel): boolean => this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local';
+    const latched = new Map(
+      this.bag.channels.filter(isLatched).map((
+        { id, topic, offered },
+      ) => [id, { topic, depth: offerFor(offered).depth ?? 10, count: 0, last: [] as BagMessage[] }]),
+    );
     if (latched.size === 0) return;
     let held = 0;
     const drop = (last: BagMessage[]): void => {

@@ -9,17 +9,19 @@ const second = 1_000_000_000n;
 const mostCharacters = 1 << 16;
 
 export function writeProfiles(offered: readonly EndpointQosView[]): string {
-  return offered.map((qos) => [
-    `- history: ${qos.history}`,
-    `  depth: ${qos.depth}`,
-    `  reliability: ${qos.reliability}`,
-    `  durability: ${qos.durability}`,
-    ...duration('deadline', qos.deadlineNs),
-    ...duration('lifespan', qos.lifespanNs),
-    `  liveliness: ${qos.liveliness}`,
-    ...duration('liveliness_lease_duration', qos.leaseNs),
-    '  avoid_ros_namespace_conventions: false',
-  ].join('\n')).join('\n');
+  return offered.map((qos) =>
+    [
+      `- history: ${qos.history}`,
+      `  depth: ${qos.depth}`,
+      `  reliability: ${qos.reliability}`,
+      `  durability: ${qos.durability}`,
+      ...duration('deadline', qos.deadlineNs),
+      ...duration('lifespan', qos.lifespanNs),
+      `  liveliness: ${qos.liveliness}`,
+      ...duration('liveliness_lease_duration', qos.leaseNs),
+      '  avoid_ros_namespace_conventions: false',
+    ].join('\n')
+  ).join('\n');
 }
 
 function duration(name: string, ns: number): string[] {
@@ -102,8 +104,7 @@ export function requestFor(offered: readonly QosRequest[]): QosRequest {
 export function offerFor(offered: readonly QosRequest[]): QosRequest {
   const [first] = offered;
   if (first === undefined) return {};
-  const kind = (qos: QosRequest): string =>
-    [qos.reliability, qos.durability, qos.deadlineNs, qos.liveliness, qos.leaseNs].join();
+  const kind = (qos: QosRequest): string => [qos.reliability, qos.durability, qos.deadlineNs, qos.liveliness, qos.leaseNs].join();
   if (!offered.every((qos) => kind(qos) === kind(first))) return {};
   return { ...first, history: 'keep_last', depth: Math.max(10, ...offered.map(({ depth }) => Math.min(depth ?? 10, 1000))) };
 }

@@ -109,11 +109,12 @@ export class Recorder {
     const asked = `${request.reliability} ${request.durability}`;
     // The present subscription also matches a publisher that offers more.
     if (known !== undefined && (known.asked === asked || !weaker(asked, known.asked))) return;
-    const subscribe = (): PageSubscription => this.session.node().subscription(name, type, request, (data, info) => {
-      if (this.stopping !== undefined) return;
-      this.writer.addMessage(name, { data, logTime: nanoseconds(info.receivedAt), publishTime: nanoseconds(info.publishedAt) });
-      if (this.writer.bytes >= (this.options.mostBytes ?? mostBagBytes)) this.full();
-    });
+    const subscribe = (): PageSubscription =>
+      this.session.node().subscription(name, type, request, (data, info) => {
+        if (this.stopping !== undefined) return;
+        this.writer.addMessage(name, { data, logTime: nanoseconds(info.receivedAt), publishTime: nanoseconds(info.publishedAt) });
+        if (this.writer.bytes >= (this.options.mostBytes ?? mostBagBytes)) this.full();
+      });
     if (known !== undefined) {
       known.subscription.close();
       known.asked = asked;
@@ -129,8 +130,11 @@ export class Recorder {
     }
     // In the bag before anything that comes.
     this.writer.addTopic({
-      name, type, hash: offers.find(({ hash }) => hash !== '')?.hash ?? '',
-      schema: gatherSchema(type, this.definitions), offered: offers.map(({ qos }) => qos),
+      name,
+      type,
+      hash: offers.find(({ hash }) => hash !== '')?.hash ?? '',
+      schema: gatherSchema(type, this.definitions),
+      offered: offers.map(({ qos }) => qos),
     });
     this.followed.set(name, { type, asked, subscription });
     this.options.onTopic?.(name);

@@ -15,7 +15,7 @@ export interface ExportedEndpoint extends Omit<EndpointRecord, 'participant' | '
 
 export type BridgeMessage =
   /** The sender is here; sent again in reply to the first one from the other tab. */
-  | { readonly t: 'hello' }
+  | { readonly t: 'hello'; }
   /** The changes of the sender's graph since the last message: new and removed nodes and endpoints. */
   | {
     readonly t: 'graph';
@@ -25,9 +25,9 @@ export type BridgeMessage =
     readonly goneNodes: readonly string[];
   }
   /** A frame (SPEC.md section 1, filled up to 4 bytes) of the sender's writer `writer`, that counts for the credit of `group`. */
-  | { readonly t: 'frame'; readonly writer: number; readonly group: string; readonly frame: ArrayBuffer }
+  | { readonly t: 'frame'; readonly writer: number; readonly group: string; readonly frame: ArrayBuffer; }
   /** So many frames and bytes of a group are delivered. */
-  | { readonly t: 'ack'; readonly group: string; readonly frames: number; readonly bytes: number }
+  | { readonly t: 'ack'; readonly group: string; readonly frames: number; readonly bytes: number; }
   /** Nobody at the sender's reads these writers any more: what their mirrors kept is out of date. */
-  | { readonly t: 'forget'; readonly writers: readonly number[] }
-  | { readonly t: 'bye' };
+  | { readonly t: 'forget'; readonly writers: readonly number[]; }
+  | { readonly t: 'bye'; };

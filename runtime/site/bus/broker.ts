@@ -1,9 +1,7 @@
 // Gives workers their place on the bus (or in the mesh of ports) and clears up after them. Lives on the page's main
 // thread and is never in the path of a message.
 
-import {
-  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, EndpointKind,
-} from '../../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, EndpointKind } from '../../protocol/generated/constants.ts';
 import { type Bus, createBus, type BusOptions } from './bus.ts';
 import { bumpGeneration, departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
 import { Conductor } from './conductor.ts';

@@ -3,7 +3,14 @@
 // worker that is terminated at any instruction leaves nothing locked. Layout: protocol/SPEC.md section 4.
 
 import {
-  BusHeader, BusParticipant, BusParticipantState, BusSizes, BusTime, ErrorCode, protocolVersion, timeRateOne,
+  BusHeader,
+  BusParticipant,
+  BusParticipantState,
+  BusSizes,
+  BusTime,
+  ErrorCode,
+  protocolVersion,
+  timeRateOne,
 } from '../../protocol/generated/constants.ts';
 import { atomicsOf, type BusAtomics } from './bus_atomics.ts';
 import type { TimeLaw } from './time_law.ts';
@@ -218,7 +225,7 @@ export class Bus {
   }
 
   /** For tests and the page: how many pages are owned, and how many there are. */
-  usage(): { used: number; total: number } {
+  usage(): { used: number; total: number; } {
     const total = this.pagesNow();
     let used = 0;
     for (let page = 0; page < total; page += 1) if (this.load(this.pageTable + page) !== 0) used += 1;
@@ -310,7 +317,9 @@ export function createBus(options: BusOptions = {}): Bus {
   const pagesAt = roundUp(pageTableAt + pageCount * 4, BusSizes.page);
   const first = pagesAt + Math.min(64, pageCount) * BusSizes.page;
   const memory = new WebAssembly.Memory({
-    initial: Math.ceil(first / wasmPage), maximum: Math.ceil((pagesAt + pageCount * BusSizes.page) / wasmPage), shared: true,
+    initial: Math.ceil(first / wasmPage),
+    maximum: Math.ceil((pagesAt + pageCount * BusSizes.page) / wasmPage),
+    shared: true,
   });
   const i32 = new Int32Array(memory.buffer);
   const set = (word: number, value: number): void => {

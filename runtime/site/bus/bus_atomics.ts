@@ -65,7 +65,14 @@ function body(type: TypeName, opcode: number): number[] {
 function moduleBytes(): Uint8Array<ArrayBuffer> {
   const parameters = (count: number): number[] => [count, ...Array.from({ length: count }, () => i32)];
   return new Uint8Array([
-    0, 0x61, 0x73, 0x6d, 1, 0, 0, 0,
+    0,
+    0x61,
+    0x73,
+    0x6d,
+    1,
+    0,
+    0,
+    0,
     ...section(1, typeNames.length, typeNames.flatMap((name) => [0x60, ...parameters(types[name][0]), ...parameters(types[name][1])])),
     // A shared memory with a limit.
     ...section(2, 1, [...text('bus'), ...text('memory'), 2, 3, 0, ...unsigned(mostPages)]),

@@ -61,11 +61,13 @@ export function fillEndpoint(bus: Bus, record: EndpointRecord): void {
   put64(i32, word + BusEndpoint.lifespan, qos.lifespan);
   put64(i32, word + BusEndpoint.lease, qos.lease);
   i32.set(record.gid, word + BusEndpoint.gid);
-  for (const [length, text, at] of [
-    [BusEndpoint.nameLength, record.name, BusEndpoint.nameBytes],
-    [BusEndpoint.typeLength, record.type, BusEndpoint.typeBytes],
-    [BusEndpoint.hashLength, record.hash, BusEndpoint.hashBytes],
-  ] as const) {
+  for (
+    const [length, text, at] of [
+      [BusEndpoint.nameLength, record.name, BusEndpoint.nameBytes],
+      [BusEndpoint.typeLength, record.type, BusEndpoint.typeBytes],
+      [BusEndpoint.hashLength, record.hash, BusEndpoint.hashBytes],
+    ] as const
+  ) {
     const bytes = encoder.encode(text);
     i32[word + length] = bytes.length;
     bus.u8.set(bytes, (word << 2) + at);
@@ -92,7 +94,7 @@ export function metBefore(bus: Bus, reader: number, writer: number): boolean {
 }
 
 /** Reads an endpoint slot; undefined when it is neither live nor departed, or changed meanwhile. */
-export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord; departed: boolean } | undefined {
+export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord; departed: boolean; } | undefined {
   const { i32 } = bus;
   const word = bus.endpointWord(index);
   const state = bus.load(word);

@@ -8,7 +8,14 @@ export class EventCounters implements StatusCounts {
   /** Matched writers that ended without taking leave, since this was last read. */
   died = 0;
   private readonly read: Record<EventCount | DerivedCount, number> = {
-    matched: 0, matchedNow: 0, incompatible: 0, wrongType: 0, lost: 0, deadline: 0, liveliness: 0, alive: 0,
+    matched: 0,
+    matchedNow: 0,
+    incompatible: 0,
+    wrongType: 0,
+    lost: 0,
+    deadline: 0,
+    liveliness: 0,
+    alive: 0,
   };
 
   now(count: EventCount): number {

@@ -7,8 +7,11 @@ import type { BridgeLink } from './bridge.ts';
 const lookMs = 5;
 
 type WaitAsync = (
-  words: Int32Array, index: number, value: number, timeoutMs?: number,
-) => { readonly async: boolean; readonly value: PromiseLike<string> | string };
+  words: Int32Array,
+  index: number,
+  value: number,
+  timeoutMs?: number,
+) => { readonly async: boolean; readonly value: PromiseLike<string> | string; };
 
 function pause(): Promise<void> {
   return new Promise((resolve) => {
@@ -23,7 +26,7 @@ export async function nextEvent(link: BridgeLink, token: number, soon: boolean):
     return;
   }
   const { bus, participant } = link;
-  const { waitAsync } = Atomics as { waitAsync?: WaitAsync };
+  const { waitAsync } = Atomics as { waitAsync?: WaitAsync; };
   if (waitAsync === undefined) return await pause();
   const word = bus.participantWord(participant);
   bus.add(word + BusParticipant.sleepers, 1);

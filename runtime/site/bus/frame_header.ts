@@ -6,11 +6,17 @@ import type { EndpointRecord } from './graph.ts';
 import { InfoWord } from './sample_info.ts';
 
 /** The word of a gid that has the endpoint's key. */
-const kKeyWord = 2;
+const KEY_WORD = 2;
 
 /** Fills `header` and the program's SampleInfo (`given`, from word `at` on). Returns the one client it is for, or 0. */
 export function fillHeader(
-  record: EndpointRecord, clock: SiteClock, header: Int32Array, given: Int32Array, at: number, sequence: number, length: number,
+  record: EndpointRecord,
+  clock: SiteClock,
+  header: Int32Array,
+  given: Int32Array,
+  at: number,
+  sequence: number,
+  length: number,
 ): number {
   const client = record.kind === EndpointKind.client;
   const { sourceTimestamp: stamp, relatedSequence, relatedGid, writerGid } = InfoWord;
@@ -26,5 +32,5 @@ export function fillHeader(
   }
   header.set(record.gid, writerGid);
   given.set(header, at);
-  return record.kind === EndpointKind.server ? header[relatedGid + kKeyWord]! : 0;
+  return record.kind === EndpointKind.server ? header[relatedGid + KEY_WORD]! : 0;
 }

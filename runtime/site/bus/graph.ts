@@ -31,10 +31,10 @@ export interface EndpointRecord {
 }
 
 export type Relation =
-  | { readonly kind: 'none' }
-  | { readonly kind: 'match' }
-  | { readonly kind: 'incompatible'; readonly policy: PolicyKind }
-  | { readonly kind: 'wrong_type' };
+  | { readonly kind: 'none'; }
+  | { readonly kind: 'match'; }
+  | { readonly kind: 'incompatible'; readonly policy: PolicyKind; }
+  | { readonly kind: 'wrong_type'; };
 
 const none: Relation = { kind: 'none' };
 const match: Relation = { kind: 'match' };

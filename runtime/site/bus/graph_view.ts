@@ -8,7 +8,9 @@ import { endpointQosView } from '../contract/qos_view.ts';
 
 /** `process`: which node of the site a participant runs. */
 export function graphView(
-  nodes: Iterable<NodeRecord>, records: readonly EndpointRecord[], process: (participant: number) => string | undefined,
+  nodes: Iterable<NodeRecord>,
+  records: readonly EndpointRecord[],
+  process: (participant: number) => string | undefined,
 ): GraphView {
   const byNode = new Map<number, EndpointRecord[]>();
   for (const record of records) {
@@ -59,6 +61,6 @@ export function hexText(bytes: Uint8Array): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-function byName(a: { readonly name: string }, b: { readonly name: string }): number {
+function byName(a: { readonly name: string; }, b: { readonly name: string; }): number {
   return a.name < b.name ? -1 : a.name > b.name ? 1 : 0;
 }

@@ -8,8 +8,8 @@ import { type Rest, Turns } from './turns.ts';
 
 /** The data that a worker needs to join the graph; sent to it by postMessage. */
 export type LinkTicket =
-  | { readonly kind: 'shared'; readonly memory: WebAssembly.Memory; readonly participant: number }
-  | ({ readonly kind: 'port' } & PortTicket);
+  | { readonly kind: 'shared'; readonly memory: WebAssembly.Memory; readonly participant: number; }
+  | ({ readonly kind: 'port'; } & PortTicket);
 
 /** Joins the graph from within a worker; in a stepped run `rest` tells the page that it waits. */
 export function openLink(ticket: LinkTicket, mayBlock: boolean, rest?: (rest: Rest) => void): SharedLink | PortLink {

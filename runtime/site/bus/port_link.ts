@@ -2,9 +2,7 @@
 // of the graph. Nothing arrives while a program computes: it must wait or sleep, which suspends it and lets the event
 // loop run. Used within one thread.
 
-import {
-  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind, WaitResult,
-} from '../../protocol/generated/constants.ts';
+import { EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind, WaitResult } from '../../protocol/generated/constants.ts';
 import { SiteClock } from './clock.ts';
 import type { TimeLaw } from './time_law.ts';
 import { LocalCredit } from './console_sender.ts';
@@ -241,7 +239,7 @@ export class PortLink implements Link {
     for (const to of this.peers.keys()) this.post(to, { t: 'ep-', key, ...(to === 0 ? { last } : {}) });
     this.removeRemote(key, false);
     // A reader that wanted all may have held up its writers.
-    if (own.reader?.all === true) for (const { key } of this.graphReplica.named(own.record.name)) this.acknowledge(key, false);
+    if (own.reader?.all === true) { for (const { key } of this.graphReplica.named(own.record.name)) this.acknowledge(key, false); }
     if (own.timing.ticks) this.ticker.follow(this.own.values());
     this.changed();
   }

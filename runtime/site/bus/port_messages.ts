@@ -37,27 +37,27 @@ export interface WriterSample {
 }
 
 export type PeerMessage =
-  | { readonly t: 'node+'; readonly node: NodeRecord }
-  | { readonly t: 'node-'; readonly key: number }
-  | { readonly t: 'ep+'; readonly record: EndpointRecord }
+  | { readonly t: 'node+'; readonly node: NodeRecord; }
+  | { readonly t: 'node-'; readonly key: number; }
+  | { readonly t: 'ep+'; readonly record: EndpointRecord; }
   /** To the page: with what a publisher did, its last payload when it is small. */
-  | { readonly t: 'ep-'; readonly key: number; readonly last?: WriterSample | undefined }
+  | { readonly t: 'ep-'; readonly key: number; readonly last?: WriterSample | undefined; }
   /** The sender's endpoint `mine` knows the receiver's `yours`; of its frames those with a sequence above `after` are for it. */
-  | { readonly t: 'match'; readonly mine: number; readonly yours: number; readonly after: number }
+  | { readonly t: 'match'; readonly mine: number; readonly yours: number; readonly after: number; }
   /** The samples that a transient_local writer has stored, for one reader. */
-  | { readonly t: 'late'; readonly reader: number; readonly frames: readonly ArrayBuffer[] }
+  | { readonly t: 'late'; readonly reader: number; readonly frames: readonly ArrayBuffer[]; }
   /** All readers here are done with the samples of this writer up to `sequence` (low word). */
-  | { readonly t: 'ack'; readonly writer: number; readonly sequence: number }
+  | { readonly t: 'ack'; readonly writer: number; readonly sequence: number; }
   /** A writer with manual liveliness gives a sign of life. */
-  | { readonly t: 'alive'; readonly writer: number }
-  | { readonly t: 'sample'; readonly topics: readonly string[] }
-  | { readonly t: 'samples'; readonly writers: readonly WriterSample[] }
-  | { readonly t: 'bye' };
+  | { readonly t: 'alive'; readonly writer: number; }
+  | { readonly t: 'sample'; readonly topics: readonly string[]; }
+  | { readonly t: 'samples'; readonly writers: readonly WriterSample[]; }
+  | { readonly t: 'bye'; };
 
 export type ControlMessage =
-  | { readonly t: 'peer'; readonly peer: PeerPort }
-  | { readonly t: 'gone'; readonly participant: number }
-  | { readonly t: 'stop' }
+  | { readonly t: 'peer'; readonly peer: PeerPort; }
+  | { readonly t: 'gone'; readonly participant: number; }
+  | { readonly t: 'stop'; }
   /** The page has dealt with a batch of console lines. */
-  | { readonly t: 'seen' }
-  | { readonly t: 'time'; readonly law: TimeLaw };
+  | { readonly t: 'seen'; }
+  | { readonly t: 'time'; readonly law: TimeLaw; };

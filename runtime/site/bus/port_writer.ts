@@ -1,9 +1,7 @@
 // The writing half of an endpoint on the port link: sends frames to the peers that have matched readers, as far as
 // their credit goes, and keeps the rest: the newest `depth` for keep_last, all for keep_all up to the limit.
 
-import {
-  Durability, EndpointKind, frameHeaderSize, History, keepAllLimit, Reliability, serviceLimit,
-} from '../../protocol/generated/constants.ts';
+import { Durability, EndpointKind, frameHeaderSize, History, keepAllLimit, Reliability, serviceLimit } from '../../protocol/generated/constants.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { WriterSample } from './port_messages.ts';
 
@@ -26,7 +24,7 @@ interface PeerQueue {
   /** Not sent yet. */
   waiting: Frame[];
   /** Sent, not acknowledged: sequence and size. */
-  flying: { readonly sequence: number; readonly bytes: number }[];
+  flying: { readonly sequence: number; readonly bytes: number; }[];
   flyingBytes: number;
 }
 
@@ -53,7 +51,7 @@ export class PortWriter {
   }
 
   /** `late` is what a reader is to get first; frames count for it when they come after `after`. */
-  match(reader: EndpointRecord): { readonly late: readonly ArrayBuffer[]; readonly after: number } {
+  match(reader: EndpointRecord): { readonly late: readonly ArrayBuffer[]; readonly after: number; } {
     let peer = this.peers.get(reader.participant);
     if (peer === undefined) {
       peer = { readers: new Map(), waiting: [], flying: [], flyingBytes: 0 };

@@ -13,6 +13,6 @@ export const InfoWord = {
 } as const;
 
 /** Words of the whole. */
-export const kInfoWords = SampleInfoLayout.size >> 2;
+export const INFO_WORDS = SampleInfoLayout.size >> 2;
 /** Words of a gid. */
-export const kGidWords = InfoWord.writerGid - InfoWord.relatedGid;
+export const GID_WORDS = InfoWord.writerGid - InfoWord.relatedGid;

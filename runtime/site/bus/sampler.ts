@@ -80,7 +80,10 @@ export class Sampler {
   }
 
   private view(
-    name: string, records: readonly EndpointRecord[], departed: readonly EndpointRecord[], now: number,
+    name: string,
+    records: readonly EndpointRecord[],
+    departed: readonly EndpointRecord[],
+    now: number,
   ): TopicView {
     const publishers = records.filter((record) => record.kind === EndpointKind.publisher);
     const known = this.knownOf(name, (publishers[0] ?? records[0] ?? departed.at(-1))?.type);
@@ -159,8 +162,7 @@ export class Sampler {
     const { bus } = link;
     const word = link.bus.endpointWord(keyIndex(record.key));
     if (bus.load(word + BusEndpoint.generation) !== record.key >>> 13) return nothing;
-    const wide = (low: number, high: number): number =>
-      (bus.load(word + low) >>> 0) + bus.load(word + high) * 2 ** 32;
+    const wide = (low: number, high: number): number => (bus.load(word + low) >>> 0) + bus.load(word + high) * 2 ** 32;
     return {
       count: wide(BusEndpoint.head, BusEndpoint.headHigh),
       bytes: wide(BusEndpoint.bytesLow, BusEndpoint.bytesHigh),
@@ -199,10 +201,11 @@ function portLast(link: PortLink, record: EndpointRecord): Omit<LastMessage, 'co
 }
 
 function sharedLast(link: SharedLink, record: EndpointRecord, most: number): Omit<LastMessage, 'count'> | undefined {
-  return readNewest(link, record, (offset, length) => length > most ? undefined : {
-    bytes: link.bus.u8.slice(offset + BusSizes.align, offset + BusSizes.align + length),
-    receivedAt: timeAt(link, offset),
-  });
+  return readNewest(link, record, (offset, length) =>
+    length > most ? undefined : {
+      bytes: link.bus.u8.slice(offset + BusSizes.align, offset + BusSizes.align + length),
+      receivedAt: timeAt(link, offset),
+    });
 }
 
 function timeAt(link: SharedLink, offset: number): number {
@@ -212,7 +215,9 @@ function timeAt(link: SharedLink, offset: number): number {
 
 /** Looks at the newest frame of a writer in place, under an observer's hazard word. `offset` and `length` in bytes. */
 function readNewest<T>(
-  link: SharedLink, record: EndpointRecord, look: (offset: number, length: number) => T,
+  link: SharedLink,
+  record: EndpointRecord,
+  look: (offset: number, length: number) => T,
 ): T | undefined {
   const { bus } = link;
   const word = bus.endpointWord(keyIndex(record.key));
@@ -224,7 +229,8 @@ function readNewest<T>(
     const slot = slotWord(bus, ring, head);
     const frame = bus.load(slot + BusSlot.frameUnit);
     const length = bus.load(slot + BusSlot.length);
-    const holds = (): boolean => bus.load(slot) === head
+    const holds = (): boolean =>
+      bus.load(slot) === head
       && bus.load(word + BusEndpoint.ring) === ring
       && bus.load(word + BusEndpoint.generation) === record.key >>> 13;
     if (!holds()) continue;

@@ -2,14 +2,21 @@
 // Discovery is the endpoint table: a participant that changes it bumps the graph version and wakes those concerned.
 
 import {
-  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, ErrorCode, flagHidden, maxNameLength,
-  type StatusKind, WaitResult,
+  BusEndpoint,
+  BusHeader,
+  BusNode,
+  BusParticipant,
+  BusParticipantState,
+  BusPhase,
+  ErrorCode,
+  flagHidden,
+  maxNameLength,
+  type StatusKind,
+  WaitResult,
 } from '../../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
 import { BusCells } from './bus_cells.ts';
-import {
-  bumpGeneration, claimSlot, departEndpoint, fillEndpoint, logChange, metBefore, nodeBit, raise, readEndpoint,
-} from './bus_tables.ts';
+import { bumpGeneration, claimSlot, departEndpoint, fillEndpoint, logChange, metBefore, nodeBit, raise, readEndpoint } from './bus_tables.ts';
 import { SiteClock } from './clock.ts';
 import { SharedCredit } from './console_sender.ts';
 import { checkDescription, checkNode } from './description_check.ts';
@@ -86,7 +93,12 @@ export class SharedLink implements Link {
     this.clock = new SiteClock(bus);
     this.statuses = new SharedStatuses(bus, participant, this.clock);
     this.waits = new SharedWaits({
-      bus, participant, turns, clock: this.clock, statuses: this.statuses, sync: this.syncNow,
+      bus,
+      participant,
+      turns,
+      clock: this.clock,
+      statuses: this.statuses,
+      sync: this.syncNow,
     });
     this.seen = new Int32Array(bus.endpointCount);
     this.seenNodes = new Int32Array(bus.nodeCount);
@@ -338,7 +350,7 @@ export class SharedLink implements Link {
     const known = this.version;
     this.version = now;
     if (known >= 0 && behind > 0 && behind < this.bus.graphLogMask) {
-      for (let v = (known + 1) | 0; ; v = (v + 1) | 0) {
+      for (let v = (known + 1) | 0;; v = (v + 1) | 0) {
         const entry = bus.load(this.bus.graphLog + (v & this.bus.graphLogMask));
         if ((entry >>> 16) !== (v & 0xffff)) {
           this.syncAll();

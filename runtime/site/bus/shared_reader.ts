@@ -30,8 +30,7 @@ function heritage(reader: EndpointRecord, writer: EndpointRecord, head: number, 
   const both = reader.qos.durability === Durability.transientLocal
     && writer.qos.durability === Durability.transientLocal;
   if (!(both || past) || reader.kind !== EndpointKind.subscription) return 0;
-  const depth = ({ qos }: EndpointRecord): number =>
-    qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
+  const depth = ({ qos }: EndpointRecord): number => qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
   return Math.min(depth(reader), depth(writer), head >>> 0);
 }
 

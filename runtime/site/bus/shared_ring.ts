@@ -75,7 +75,7 @@ export function keyIndex(key: number): number {
 }
 
 /** Where a reader's (writer key, cursor) pairs lie, and how many fit. */
-export function cursorTable(bus: Bus, endpoint: number): { word: number; entries: number } {
+export function cursorTable(bus: Bus, endpoint: number): { word: number; entries: number; } {
   const table = bus.load(endpoint + BusEndpoint.table);
   if (table === 0) return { word: endpoint + BusEndpoint.inlineTable, entries: BusEndpoint.inlineEntries };
   const pages = table >>> 20;
@@ -105,8 +105,13 @@ export function observed(bus: Bus, frameUnit: number, units: number): boolean {
 
 /** Copies within or between buffers; small ones word by word, since a view costs more than the copy. */
 export function copyBytes(
-  from: Uint8Array, fromWords: Int32Array, source: number,
-  to: Uint8Array, toWords: Int32Array, target: number, length: number,
+  from: Uint8Array,
+  fromWords: Int32Array,
+  source: number,
+  to: Uint8Array,
+  toWords: Int32Array,
+  target: number,
+  length: number,
 ): void {
   if (length <= 256 && (source & 3) === 0 && (target & 3) === 0) {
     const words = length >> 2;

@@ -10,7 +10,7 @@ import type { Turns } from './turns.ts';
 /** In a stepped run, who only looks lets time go on by this: else nobody would get further. */
 const lookNs = 1000;
 const looksPerRound = 16;
-const { pause } = Atomics as { pause?: () => void };
+const { pause } = Atomics as { pause?: () => void; };
 const pauseProcessor = pause ?? ((): void => undefined);
 
 export interface SharedWaitsOptions {

@@ -3,36 +3,46 @@
 // may write; only the lists of matched readers are the thread's own.
 
 import {
-  BusBlocked, BusEndpoint, BusHeader, BusParticipant, BusRing, BusSizes, BusSlot, Durability, EndpointKind, ErrorCode, History,
-  keepAllLimit, maxSampleLength, Reliability, serviceLimit,
+  BusBlocked,
+  BusEndpoint,
+  BusHeader,
+  BusParticipant,
+  BusRing,
+  BusSizes,
+  BusSlot,
+  Durability,
+  EndpointKind,
+  ErrorCode,
+  History,
+  keepAllLimit,
+  maxSampleLength,
+  Reliability,
+  serviceLimit,
 } from '../../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
-import { BusCells } from './bus_cells.ts';
 import { putNanoseconds, type SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
-import { InfoWord, kGidWords, kInfoWords } from './sample_info.ts';
+import { type ReaderRef, readerRef } from './reader_ref.ts';
+import { InfoWord, GID_WORDS, INFO_WORDS } from './sample_info.ts';
 import {
-  copyBytes, findCursor, keyIndex, maxLog2, observed, packRing, ringBytes, ringFits, ringFramesOffset, ringGeneration, ringLog2,
-  ringPage, slotWord, slotWords, unit,
+  copyBytes,
+  findCursor,
+  keyIndex,
+  maxLog2,
+  observed,
+  packRing,
+  ringBytes,
+  ringFits,
+  ringFramesOffset,
+  ringGeneration,
+  ringLog2,
+  ringPage,
+  slotWord,
+  slotWords,
+  unit,
 } from './shared_ring.ts';
-import { deadlineOf, noteSample, type Timing } from './timing.ts';
-
-interface ReaderRef {
-  readonly key: number;
-  readonly word: number;
-  readonly generation: number;
-  readonly participant: number;
-  readonly local: boolean;
-  /** Newest samples the reader may still want; Infinity when it wants all. */
-  readonly depth: number;
-  readonly reliable: boolean;
-  /** Set when the reader asks for a deadline; only a writer that offers one can match it. */
-  readonly deadline: { readonly ns: number; readonly cells: BusCells } | undefined;
-  pair: number;
-  /** It has read as far as this, or further; undefined: not asked yet. */
-  known: number | undefined;
-}
+import { noteSample, type Timing } from './timing.ts';
 
 interface RetiredRun {
   readonly page: number;
@@ -72,7 +82,12 @@ export class SharedWriter {
   private readonly pause: Pause;
 
   constructor(
-    bus: Bus, record: EndpointRecord, clock: SiteClock, timing: Timing, sync: () => void, pause: Pause,
+    bus: Bus,
+    record: EndpointRecord,
+    clock: SiteClock,
+    timing: Timing,
+    sync: () => void,
+    pause: Pause,
   ) {
     this.bus = bus;
     this.record = record;
@@ -86,27 +101,15 @@ export class SharedWriter {
     const keepAll = qos.history === History.keepAll;
     this.ownDepth = this.service || qos.durability !== Durability.transientLocal
       ? 0
-      : keepAll ? keepAllLimit : Math.max(1, qos.depth);
+      : keepAll
+      ? keepAllLimit
+      : Math.max(1, qos.depth);
     this.mayBlock = !this.service && keepAll && qos.reliability === Reliability.reliable;
   }
 
   match(reader: EndpointRecord): void {
     if (this.readers.some((known) => known.key === reader.key)) return;
-    const all = this.service || reader.qos.history === History.keepAll;
-    const word = this.bus.endpointWord(keyIndex(reader.key));
-    const ns = deadlineOf(reader);
-    this.readers.push({
-      key: reader.key,
-      word,
-      generation: reader.key >>> 13,
-      participant: reader.participant,
-      local: reader.participant === this.record.participant,
-      depth: all ? Infinity : Math.max(1, reader.qos.depth),
-      reliable: reader.qos.reliability === Reliability.reliable,
-      deadline: ns === 0 ? undefined : { ns, cells: new BusCells(this.bus, word) },
-      pair: -1,
-      known: undefined,
-    });
+    this.readers.push(readerRef(this.bus, reader, this.service, this.record.participant));
     this.listParticipants();
   }
 
@@ -249,7 +252,12 @@ export class SharedWriter {
 
   /** Frame header and payload; the header goes back to the caller too. Returns whom the sample is for, 0: all. */
   private fill(
-    heap: Heap, address: number, length: number, info: number, sequence: number, frame: number,
+    heap: Heap,
+    address: number,
+    length: number,
+    info: number,
+    sequence: number,
+    frame: number,
   ): number {
     const { bus, word, record } = this;
     const offset = frame * unit;
@@ -275,11 +283,11 @@ export class SharedWriter {
     const client = record.kind === EndpointKind.client;
     i32[h + related] = client ? sequence : given[source + related]!;
     i32[h + related + 1] = client ? high : given[source + related + 1]!;
-    for (let i = 0; i < kGidWords; i += 1) {
+    for (let i = 0; i < GID_WORDS; i += 1) {
       i32[h + InfoWord.relatedGid + i] = client ? record.gid[i]! : given[source + InfoWord.relatedGid + i]!;
       i32[h + InfoWord.writerGid + i] = record.gid[i]!;
     }
-    for (let i = 0; i < kInfoWords; i += 1) given[source + i] = i32[h + i]!;
+    for (let i = 0; i < INFO_WORDS; i += 1) given[source + i] = i32[h + i]!;
     copyBytes(heap.u8, given, address, bus.u8, i32, offset + BusSizes.align, length);
     return record.kind === EndpointKind.server ? given[source + 10]! : 0;
   }
@@ -365,8 +373,10 @@ export class SharedWriter {
 
   /** Does a reliable keep_all reader, here or elsewhere, still have to read the sample? */
   private keepAllWants(old: number, local: boolean): boolean {
-    return this.readers.some((reader) => reader.reliable && reader.local === local && reader.depth === Infinity
-      && !this.hasRead(reader, old));
+    return this.readers.some((reader) =>
+      reader.reliable && reader.local === local && reader.depth === Infinity
+      && !this.hasRead(reader, old)
+    );
   }
 
   /** Sleeps until the readers that it waits for have read `old`, and a moment. 0 or an ErrorCode. */
@@ -506,7 +516,8 @@ export class SharedWriter {
     const { i32 } = this.bus;
     const frame = i32[slot + BusSlot.extentUnit]!;
     const has = i32[slot + BusSlot.extentPages]!;
-    return frame !== 0 && has >= pages && has <= 4 * pages + 16 && this.bus.holds(frame * unit, has * BusSizes.page) && !this.inUse(frame, has * (BusSizes.page / unit));
+    return frame !== 0 && has >= pages && has <= 4 * pages + 16 && this.bus.holds(frame * unit, has * BusSizes.page)
+      && !this.inUse(frame, has * (BusSizes.page / unit));
   }
 
   /** Takes the extent of a sample that nobody needs any more, so that large messages cycle through few pages. */

@@ -29,18 +29,24 @@ function hasStatus(endpoint: number, status: StatusKind): boolean {
 
 /** Reads a status at the steady time `now`, in ns; undefined for one that the endpoint has not. `matched`: peers now. */
 export function readStatus(
-  endpoint: number, kind: StatusKind, counts: StatusCounts, timing: Timing, matched: number, now: number,
+  endpoint: number,
+  kind: StatusKind,
+  counts: StatusCounts,
+  timing: Timing,
+  matched: number,
+  now: number,
 ): EndpointStatus | undefined {
   if (!hasStatus(endpoint, kind)) return undefined;
   timing.watch(kind);
   const status = { totalCount: 0, totalChange: 0, currentCount: 0, currentChange: 0, lastPolicy: 0 };
-  const total = (of: EventCount | DerivedCount, count: number): EndpointStatus =>
-    ({ ...status, totalCount: count, totalChange: counts.gained(of, count) });
+  const total = (of: EventCount | DerivedCount, count: number): EndpointStatus => ({ ...status, totalCount: count, totalChange: counts.gained(of, count) });
   switch (kind) {
     case StatusKind.publicationMatched:
     case StatusKind.subscriptionMatched:
       return {
-        ...total('matched', counts.now('matched')), currentCount: matched, currentChange: counts.gained('matchedNow', matched),
+        ...total('matched', counts.now('matched')),
+        currentCount: matched,
+        currentChange: counts.gained('matchedNow', matched),
       };
     case StatusKind.offeredQosIncompatible:
     case StatusKind.requestedQosIncompatible:
@@ -61,8 +67,11 @@ export function readStatus(
       const { totalChange } = total('liveliness', lapsed);
       const died = counts.takeDied();
       return {
-        totalCount: lapsed + died, totalChange: totalChange + died,
-        currentCount, currentChange: counts.gained('alive', currentCount), lastPolicy: 0,
+        totalCount: lapsed + died,
+        totalChange: totalChange + died,
+        currentCount,
+        currentChange: counts.gained('alive', currentCount),
+        lastPolicy: 0,
       };
     }
   }

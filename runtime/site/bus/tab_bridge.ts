@@ -1,9 +1,7 @@
 // Joins this tab's graph with that of one other tab. Works in a worker of its own, so that no message passes the page.
 // The frames are those of the port link; the queues of the mirrors bound the frames that wait for credit.
 
-import {
-  Durability, EndpointKind, ErrorCode, flagIgnoreLocal, flagMirror, frameHeaderSize, History,
-} from '../../protocol/generated/constants.ts';
+import { Durability, EndpointKind, ErrorCode, flagIgnoreLocal, flagMirror, frameHeaderSize, History } from '../../protocol/generated/constants.ts';
 import type { Bridge, BridgeChannel, BridgeLink } from './bridge.ts';
 import { nextEvent } from './event_wait.ts';
 import type { BridgeMessage, ExportedEndpoint, ExportedNode } from './bridge_messages.ts';
@@ -28,7 +26,7 @@ interface Mirror {
   /** For a client: the sequence number of a request here -> the two words of the caller's number. */
   readonly calls: Map<number, readonly [number, number]>;
   /** Came from over there, not yet written here. */
-  readonly waiting: { readonly frame: ArrayBuffer; readonly group: string }[];
+  readonly waiting: { readonly frame: ArrayBuffer; readonly group: string; }[];
   /** Gone over there; it stays until it has written what waits. */
   ending: boolean;
 }
@@ -186,7 +184,16 @@ export class TabBridge implements Bridge {
     const gid = this.link.gid(handle);
     if (handle < 0 || gid === undefined) return;
     const record: EndpointRecord = {
-      key: gid[2]!, participant: this.link.participant, nodeKey: node, kind, name, type, hash, qos, flags, gid,
+      key: gid[2]!,
+      participant: this.link.participant,
+      nodeKey: node,
+      kind,
+      name,
+      type,
+      hash,
+      qos,
+      flags,
+      gid,
     };
     // Replies are for one client alone.
     const groupId = kind === EndpointKind.client ? `${kind} ${name} ${remote.key}` : `${kind} ${name} ${type}`;

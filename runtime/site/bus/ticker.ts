@@ -11,7 +11,7 @@ export class Ticker {
     this.clock = clock;
   }
 
-  follow(endpoints: Iterable<{ readonly timing: Timing }>): void {
+  follow(endpoints: Iterable<{ readonly timing: Timing; }>): void {
     this.timings = [...endpoints].map(({ timing }) => timing).filter((timing) => timing.ticks);
   }
 

@@ -37,7 +37,10 @@ const keptForPage = 16;
 
 /** Frees the own endpoints of a participant that departed, oldest first in the list. True when there were some. */
 export function freeDeparted(
-  bus: Bus, participant: number, departed: Map<number, { readonly record: EndpointRecord }>, kept = keptForPage,
+  bus: Bus,
+  participant: number,
+  departed: Map<number, { readonly record: EndpointRecord; }>,
+  kept = keptForPage,
 ): boolean {
   let published = 0;
   const before = departed.size;

@@ -10,10 +10,16 @@ const acts = new Set<string | symbol>(['start', 'stop', 'restart', 'run', 'launc
 
 /** Services that only read; panels call them without the visitor. */
 const telling = new Set([
-  'rcl_interfaces/srv/GetParameters', 'rcl_interfaces/srv/ListParameters', 'rcl_interfaces/srv/DescribeParameters',
-  'rcl_interfaces/srv/GetParameterTypes', 'rcl_interfaces/srv/GetLoggerLevels',
-  'lifecycle_msgs/srv/GetState', 'lifecycle_msgs/srv/GetAvailableStates', 'lifecycle_msgs/srv/GetAvailableTransitions',
-  'composition_interfaces/srv/ListNodes', 'type_description_interfaces/srv/GetTypeDescription',
+  'rcl_interfaces/srv/GetParameters',
+  'rcl_interfaces/srv/ListParameters',
+  'rcl_interfaces/srv/DescribeParameters',
+  'rcl_interfaces/srv/GetParameterTypes',
+  'rcl_interfaces/srv/GetLoggerLevels',
+  'lifecycle_msgs/srv/GetState',
+  'lifecycle_msgs/srv/GetAvailableStates',
+  'lifecycle_msgs/srv/GetAvailableTransitions',
+  'composition_interfaces/srv/ListNodes',
+  'type_description_interfaces/srv/GetTypeDescription',
 ]);
 
 type Methods = Readonly<Record<string | symbol, unknown>>;

@@ -24,7 +24,7 @@ export interface LookPlace {
   readonly met: (seen: string) => void;
 }
 
-type Aim<Kind extends CheckAim['kind']> = Extract<CheckAim, { readonly kind: Kind }>;
+type Aim<Kind extends CheckAim['kind']> = Extract<CheckAim, { readonly kind: Kind; }>;
 
 /** A rate is that over at least so much. */
 const leastMs = 1000;
@@ -60,7 +60,7 @@ function anyMessageLook({ topic }: Aim<'rate'>, { session, inTime, met }: LookPl
 }
 
 function rateLook({ topic, above, below }: Aim<'rate'>, { session, inTime, met }: LookPlace): Look {
-  const points: { readonly count: number; readonly time: number }[] = [];
+  const points: { readonly count: number; readonly time: number; }[] = [];
   let rate: number | undefined;
   return {
     look: () => {
@@ -101,8 +101,11 @@ function messageLook({ topic, field, value: wanted }: Aim<'message'>, { session,
       return;
     }
     const value = valueAt(decoded.value, field);
-    last = value === undefined ? `a message of type ${of} without ${field}`
-      : typeof value === 'object' ? `${field} is not a single value` : shown(value);
+    last = value === undefined
+      ? `a message of type ${of} without ${field}`
+      : typeof value === 'object'
+      ? `${field} is not a single value`
+      : shown(value);
     if (value !== undefined && typeof value !== 'object' && meets(value, wanted)) met(last);
   };
   const look = (): void => {
@@ -161,15 +164,22 @@ function logLook({ node, log }: Aim<'log'>, { session, inTime, met }: LookPlace)
 
 /** By the constants of rcl_interfaces/msg/ParameterType; 0 is not set. */
 const parameterFields = [
-  undefined, 'bool_value', 'integer_value', 'double_value', 'string_value',
-  'byte_array_value', 'bool_array_value', 'integer_array_value', 'double_array_value', 'string_array_value',
+  undefined,
+  'bool_value',
+  'integer_value',
+  'double_value',
+  'string_value',
+  'byte_array_value',
+  'bool_array_value',
+  'integer_array_value',
+  'double_array_value',
+  'string_array_value',
 ] as const;
 
 /** A list is compared as a text: `[1, 2]`, `[1.0, 0.5]`, `[left, right]`. */
 function parameterValue(field: string, value: unknown): unknown {
   if (!field.endsWith('_array_value')) return value;
-  const item = (one: unknown): string =>
-    field === 'double_array_value' && Number.isInteger(one) ? `${String(one)}.0` : String(one);
+  const item = (one: unknown): string => field === 'double_array_value' && Number.isInteger(one) ? `${String(one)}.0` : String(one);
   return `[${Array.from(value as ArrayLike<unknown>, item).join(', ')}]`;
 }
 

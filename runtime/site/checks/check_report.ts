@@ -5,7 +5,13 @@ import type { CheckView } from '../contract/site_checks.ts';
 /** Characters that XML 1.0 cannot contain, not even escaped. */
 const impossible = /[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\u{10000}-\u{10ffff}]/gu;
 const entities: Readonly<Record<string, string>> = {
-  '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', '\t': '&#9;', '\n': '&#10;', '\r': '&#13;',
+  '&': '&amp;',
+  '<': '&lt;',
+  '>': '&gt;',
+  '"': '&quot;',
+  '\t': '&#9;',
+  '\n': '&#10;',
+  '\r': '&#13;',
 };
 
 function xml(text: string): string {
@@ -45,7 +51,8 @@ function plain(text: string): string {
 export function checkLine(check: CheckView): string {
   const how = check.state === 'passed' ? 'passed' : check.state === 'failed' ? 'failed' : 'waits';
   const place = check.source === undefined ? '' : `\n  --> ${check.source.file}:${check.source.line}:${check.source.column}`;
-  const seen = check.state === 'passed' ? ` (${plain(check.seen)})`
+  const seen = check.state === 'passed'
+    ? ` (${plain(check.seen)})`
     : `${place}\n  = seen: ${plain(check.seen)}\n  = within: ${seconds(check.withinMs)} s of the site's time`;
   return `[check] ${how}: ${plain(check.title)}${seen}`;
 }

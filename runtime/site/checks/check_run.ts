@@ -16,7 +16,7 @@ interface Running {
   begin: number | undefined;
   look: Look | undefined;
   /** Once it is decided. */
-  verdict: { readonly passed: boolean; readonly seen: string; readonly afterMs: number } | undefined;
+  verdict: { readonly passed: boolean; readonly seen: string; readonly afterMs: number; } | undefined;
 }
 
 /** To be awaited before the first node starts. */
@@ -90,7 +90,8 @@ export class CheckRun implements SiteChecks {
     const from = this.now();
     const before = this.running;
     this.running = session.site.checks.map((check, index) =>
-      at === undefined || at === index ? { check, begin: undefined, look: undefined, verdict: undefined } : before[index]!);
+      at === undefined || at === index ? { check, begin: undefined, look: undefined, verdict: undefined } : before[index]!
+    );
     for (const running of this.running) {
       if (running.look !== undefined) continue;
       const { check } = running;

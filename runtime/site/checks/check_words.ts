@@ -24,7 +24,7 @@ export function hertz(rate: number): string {
   return `${rate < 100 ? Number(rate.toPrecision(3)) : Math.round(rate)} Hz`;
 }
 
-function bounds(unit: string, { above, below }: { readonly above?: number; readonly below?: number }): string[] {
+function bounds(unit: string, { above, below }: { readonly above?: number; readonly below?: number; }): string[] {
   return [
     ...(above === undefined ? [] : [`above ${above}${unit}`]),
     ...(below === undefined ? [] : [`below ${below}${unit}`]),
@@ -41,7 +41,8 @@ function comparison(value: Comparison): string {
 function aimWords(aim: CheckAim): string {
   switch (aim.kind) {
     case 'rate':
-      return aim.above === undefined && aim.below === undefined ? `a message on ${aim.topic}`
+      return aim.above === undefined && aim.below === undefined
+        ? `a message on ${aim.topic}`
         : `${aim.topic} ${bounds(' Hz', aim).join(' and ')}`;
     case 'message':
       return `${aim.topic}: ${aim.field} is ${comparison(aim.value)}`;

@@ -43,7 +43,8 @@ export class TaskRun implements SiteTasks {
     this.session = session;
     this.codec = codec;
     this.tasks = session.site.tasks.map((task) => ({
-      task, checks: task.checks.map((check) => ({ check, look: undefined, met: undefined })),
+      task,
+      checks: task.checks.map((check) => ({ check, look: undefined, met: undefined })),
     }));
     // So that publishers are known that are gone when it is next looked at.
     session.topics();

@@ -15,7 +15,7 @@ function pattern(json: Json, key: string, what: string): string {
   return value;
 }
 
-function readBounds(json: Json, what: string): { above?: number; below?: number } {
+function readBounds(json: Json, what: string): { above?: number; below?: number; } {
   return {
     ...(json['above'] === undefined ? {} : { above: number(json, 'above', what) }),
     ...(json['below'] === undefined ? {} : { below: number(json, 'below', what) }),

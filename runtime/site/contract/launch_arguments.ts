@@ -25,7 +25,7 @@ const quoted = (text: string): string => `'${text.replaceAll('\\', '\\\\').repla
 
 /** As `ros2 launch --show-args` prints them. */
 export function shownArguments(all: readonly LaunchArgument[]): string {
-  const lines = ['Arguments (pass arguments as \'<name>:=<value>\'):'];
+  const lines = ["Arguments (pass arguments as '<name>:=<value>'):"];
   if (all.length === 0) lines.push('', '  No arguments.');
   for (const { name, description, choices, default: value } of all) {
     const about = description === '' ? 'no description given' : description;

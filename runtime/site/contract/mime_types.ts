@@ -3,9 +3,19 @@
 import { fileName } from './file_name.ts';
 
 const types: Readonly<Record<string, string>> = {
-  css: 'text/css', gif: 'image/gif', html: 'text/html; charset=utf-8', jpeg: 'image/jpeg', jpg: 'image/jpeg', js: 'text/javascript',
-  json: 'application/json', png: 'image/png', svg: 'image/svg+xml', txt: 'text/plain; charset=utf-8', wasm: 'application/wasm',
-  webmanifest: 'application/manifest+json', webp: 'image/webp',
+  css: 'text/css',
+  gif: 'image/gif',
+  html: 'text/html; charset=utf-8',
+  jpeg: 'image/jpeg',
+  jpg: 'image/jpeg',
+  js: 'text/javascript',
+  json: 'application/json',
+  png: 'image/png',
+  svg: 'image/svg+xml',
+  txt: 'text/plain; charset=utf-8',
+  wasm: 'application/wasm',
+  webmanifest: 'application/manifest+json',
+  webp: 'image/webp',
 };
 
 /** The type of a path, or of an address without a query. */

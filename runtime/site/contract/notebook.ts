@@ -17,24 +17,26 @@ export interface SiteNotebook {
 export type MimeBundle = Readonly<Record<string, unknown>>;
 
 /** An event of a cell. `cell` is the name that its order gave it. */
-export type KernelEvent = { readonly cell: string } & (
-  /** The kernel waits for its first order. */
-  | { readonly event: 'idle' }
-  | { readonly event: 'begin'; readonly count: number }
-  | { readonly event: 'end'; readonly good: boolean }
-  | { readonly event: 'stream'; readonly name: 'stdout' | 'stderr'; readonly text: string }
-  /** `update`: in place of what was shown under that name. */
-  | { readonly event: 'display' | 'update'; readonly data: MimeBundle; readonly metadata: MimeBundle; readonly display_id?: string }
-  | { readonly event: 'result'; readonly count: number; readonly data: MimeBundle; readonly metadata: MimeBundle }
-  | { readonly event: 'error'; readonly ename: string; readonly evalue: string; readonly traceback: readonly string[] }
-  /** `wait`: when something new comes. */
-  | { readonly event: 'clear'; readonly wait: boolean }
-  /** Somebody reads standard input. */
-  | { readonly event: 'input'; readonly prompt: string }
-);
+export type KernelEvent =
+  & { readonly cell: string; }
+  & (
+    /** The kernel waits for its first order. */
+    | { readonly event: 'idle'; }
+    | { readonly event: 'begin'; readonly count: number; }
+    | { readonly event: 'end'; readonly good: boolean; }
+    | { readonly event: 'stream'; readonly name: 'stdout' | 'stderr'; readonly text: string; }
+    /** `update`: in place of what was shown under that name. */
+    | { readonly event: 'display' | 'update'; readonly data: MimeBundle; readonly metadata: MimeBundle; readonly display_id?: string; }
+    | { readonly event: 'result'; readonly count: number; readonly data: MimeBundle; readonly metadata: MimeBundle; }
+    | { readonly event: 'error'; readonly ename: string; readonly evalue: string; readonly traceback: readonly string[]; }
+    /** `wait`: when something new comes. */
+    | { readonly event: 'clear'; readonly wait: boolean; }
+    /** Somebody reads standard input. */
+    | { readonly event: 'input'; readonly prompt: string; }
+  );
 
 /** Run a cell, once those before it are over; or a line for who reads standard input. */
-export type KernelOrder = { readonly cell: string; readonly code: string } | { readonly input: string };
+export type KernelOrder = { readonly cell: string; readonly code: string; } | { readonly input: string; };
 
 export interface NotebookKernel {
   readonly file: string;
@@ -58,8 +60,20 @@ export const kernelId = 'notebook';
 export function kernelNode({ file, program, archives, libraries }: SiteNotebook): ProgramNode {
   const name = fileName(file);
   return {
-    id: kernelId, package: '', executable: name, label: name, kind: 'python', program,
+    id: kernelId,
+    package: '',
+    executable: name,
+    label: name,
+    kind: 'python',
+    program,
     python: { archives, ...(libraries === undefined ? {} : { libraries }), entry: 'ros2wasm.notebook:main' },
-    threads: false, arguments: [], environment: {}, output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
+    threads: false,
+    arguments: [],
+    environment: {},
+    output: 'screen',
+    respawn: false,
+    respawnDelay: 0,
+    startAfter: 0,
+    shutdownOnExit: false,
   };
 }

@@ -18,7 +18,7 @@ export type * from './site_nodes.ts';
 /** The same, or the end of all. */
 export type LaunchMoment =
   | NodeMoment
-  | (HowOften & { readonly event: 'shutdown'; readonly node?: undefined });
+  | (HowOften & { readonly event: 'shutdown'; readonly node?: undefined; });
 
 interface LaunchStepAt {
   /** undefined: when the site is launched. */
@@ -29,14 +29,16 @@ interface LaunchStepAt {
 }
 
 /** The actions of the launcher besides starting nodes. */
-export type LaunchStep = LaunchStepAt & (
-  | { readonly do: 'log'; readonly level: string; readonly text: string }
-  | { readonly do: 'shutdown'; readonly reason: string }
-  /** The node with that id is told to end. */
-  | { readonly do: 'end'; readonly node: string }
-  /** Transitions of the managed node with that id and full name, in this order; the numbers are of lifecycle_msgs/msg/Transition. */
-  | { readonly do: 'transition'; readonly node: string; readonly name: string; readonly transitions: readonly number[] }
-);
+export type LaunchStep =
+  & LaunchStepAt
+  & (
+    | { readonly do: 'log'; readonly level: string; readonly text: string; }
+    | { readonly do: 'shutdown'; readonly reason: string; }
+    /** The node with that id is told to end. */
+    | { readonly do: 'end'; readonly node: string; }
+    /** Transitions of the managed node with that id and full name, in this order; the numbers are of lifecycle_msgs/msg/Transition. */
+    | { readonly do: 'transition'; readonly node: string; readonly name: string; readonly transitions: readonly number[]; }
+  );
 
 export interface SiteFile {
   readonly path: string;
@@ -200,7 +202,7 @@ export interface AddedNode {
   readonly arguments: readonly string[];
   readonly onLines: (lines: readonly Pick<ConsoleLine, 'stream' | 'text'>[]) => void;
   /** It is in nodes() no more. */
-  readonly onEnd: (state: Extract<NodeState, { readonly kind: 'exited' | 'crashed' }>) => void;
+  readonly onEnd: (state: Extract<NodeState, { readonly kind: 'exited' | 'crashed'; }>) => void;
 }
 
 /** A request of `ros2 launch`: it starts the nodes of the launch file, besides those of the site. */
@@ -298,7 +300,7 @@ export interface SiteTime {
 export interface SteppedRun {
   readonly seed: number;
   /** The messages sent so far: their number, and the sha256 of the file that `ros2wasm run --trace` writes. */
-  trace(): { readonly messages: number; readonly sha256: string };
+  trace(): { readonly messages: number; readonly sha256: string; };
 }
 
 /** A file that a node has written and closed. */

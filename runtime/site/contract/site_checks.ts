@@ -14,12 +14,12 @@ export interface Comparison {
 /** Node ids are those of SiteNode, but of a parameter's node, which is a full ROS name. */
 export type CheckAim =
   /** Messages a second; without bounds: at least one message. */
-  | { readonly kind: 'rate'; readonly topic: string; readonly above?: number; readonly below?: number }
-  | { readonly kind: 'message'; readonly topic: string; readonly field: string; readonly value: Comparison }
-  | { readonly kind: 'log'; readonly node?: string; readonly log: string }
-  | { readonly kind: 'parameter'; readonly node: string; readonly parameter: string; readonly value: Comparison }
-  | { readonly kind: 'state'; readonly node: string; readonly state: 'running' | 'exited' | 'crashed' }
-  | { readonly kind: 'exit_code'; readonly node: string; readonly exitCode: number };
+  | { readonly kind: 'rate'; readonly topic: string; readonly above?: number; readonly below?: number; }
+  | { readonly kind: 'message'; readonly topic: string; readonly field: string; readonly value: Comparison; }
+  | { readonly kind: 'log'; readonly node?: string; readonly log: string; }
+  | { readonly kind: 'parameter'; readonly node: string; readonly parameter: string; readonly value: Comparison; }
+  | { readonly kind: 'state'; readonly node: string; readonly state: 'running' | 'exited' | 'crashed'; }
+  | { readonly kind: 'exit_code'; readonly node: string; readonly exitCode: number; };
 
 export interface SiteCheck {
   /** The author's words; empty: none. */

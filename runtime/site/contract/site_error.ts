@@ -13,7 +13,7 @@ export class SiteError extends Error {
   /** `file:line:column` of what is to blame. */
   readonly place: string | undefined;
 
-  constructor(code: DiagnosticCode, message: string, more: { readonly why?: Texts; readonly fix?: Texts; readonly place?: string } = {}) {
+  constructor(code: DiagnosticCode, message: string, more: { readonly why?: Texts; readonly fix?: Texts; readonly place?: string; } = {}) {
     super(message);
     this.name = 'SiteError';
     this.code = code;

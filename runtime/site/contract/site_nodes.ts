@@ -77,7 +77,7 @@ export interface HowOften {
 
 /** Something that happens to a node, by its id. */
 export type NodeMoment =
-  | (HowOften & { readonly event: 'start' | 'exit'; readonly node: string })
+  | (HowOften & { readonly event: 'start' | 'exit'; readonly node: string; })
   | OutputMoment
   | StateMoment;
 
@@ -111,9 +111,9 @@ export interface StateMoment extends HowOften {
 }
 
 export type NodeState =
-  | { readonly kind: 'stopped' }
-  | { readonly kind: 'waiting'; readonly on: NodeMoment }
-  | { readonly kind: 'starting' }
-  | { readonly kind: 'running' }
-  | { readonly kind: 'exited'; readonly code: number }
-  | { readonly kind: 'crashed'; readonly message: string; readonly code: DiagnosticCode };
+  | { readonly kind: 'stopped'; }
+  | { readonly kind: 'waiting'; readonly on: NodeMoment; }
+  | { readonly kind: 'starting'; }
+  | { readonly kind: 'running'; }
+  | { readonly kind: 'exited'; readonly code: number; }
+  | { readonly kind: 'crashed'; readonly message: string; readonly code: DiagnosticCode; };

@@ -34,7 +34,7 @@ const hash = /^[0-9a-f]{64}$/;
 /** undefined: it is not a store that `ros2wasm pack` writes. */
 export function readStore(value: unknown): SiteStore | undefined {
   if (typeof value !== 'object' || value === null) return undefined;
-  const { objects, scripts } = value as { readonly objects?: unknown; readonly scripts?: unknown };
+  const { objects, scripts } = value as { readonly objects?: unknown; readonly scripts?: unknown; };
   if (typeof objects !== 'string' || !/^(?:\.\.\/){1,8}(?:[\w-][\w.-]*\/){1,8}$/.test(objects)) return undefined;
   return typeof scripts === 'string' && hash.test(scripts) ? { objects, scripts } : undefined;
 }
@@ -47,7 +47,8 @@ function ending(path: string): string {
 export function placesOf({ path, sha256, kept, parts }: ListedPlace, store: SiteStore | undefined): readonly Place[] {
   if (parts !== undefined) {
     return parts.map((part, i) => ({
-      at: store === undefined ? `${path}.part${i + 1}` : `${store.objects}${part.sha256}.part`, sha256: part.sha256,
+      at: store === undefined ? `${path}.part${i + 1}` : `${store.objects}${part.sha256}.part`,
+      sha256: part.sha256,
     }));
   }
   if (store === undefined || kept === undefined) return [{ at: path, sha256 }];

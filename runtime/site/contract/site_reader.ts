@@ -7,8 +7,22 @@ import { SiteError } from './site_error.ts';
 import { type FilePart, placesOf, readStore, type SiteStore } from './site_places.ts';
 import { fail, flag, type Json, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
-  CommandNode, LaunchArgument, LaunchFile, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
-  SiteDescription, SiteFile, SiteNode, SiteProgram,
+  CommandNode,
+  LaunchArgument,
+  LaunchFile,
+  LaunchMoment,
+  LaunchPython,
+  LaunchStep,
+  LaunchView,
+  LineTest,
+  NodeMoment,
+  PythonProgram,
+  SiteAuthor,
+  SiteCitation,
+  SiteDescription,
+  SiteFile,
+  SiteNode,
+  SiteProgram,
 } from './session.ts';
 import type { SiteSources } from './site_sources.ts';
 
@@ -21,7 +35,7 @@ function readPython(value: unknown, what: string): PythonProgram {
   return { archives: list(json, 'archives', what, archive), ...readLibraries(json, what), entry };
 }
 
-function readLibraries(json: Json, what: string): { readonly libraries?: readonly string[] } {
+function readLibraries(json: Json, what: string): { readonly libraries?: readonly string[]; } {
   if (json['libraries'] === undefined) return {};
   return { libraries: list(json, 'libraries', what, (item, where) => path(typeof item === 'string' ? item : '', where)) };
 }
@@ -53,11 +67,15 @@ function readMoment(value: unknown, what: string): LaunchMoment {
     return { event, node, stream, tests: json['tests'] === undefined ? [] : list(json, 'tests', what, readLineTest), ...once };
   }
   if (event !== 'transition') return { event, node, ...once };
-  const part = (key: string, name: 'transition' | 'startState' | 'goalState'): object =>
-    (json[key] === undefined ? {} : { [name]: text(json, key, what) });
+  const part = (key: string, name: 'transition' | 'startState' | 'goalState'): object => (json[key] === undefined ? {} : { [name]: text(json, key, what) });
   return {
-    event, node, name: text(json, 'name', what), ...part('transition', 'transition'), ...part('start_state', 'startState'),
-    ...part('goal_state', 'goalState'), ...once,
+    event,
+    node,
+    name: text(json, 'name', what),
+    ...part('transition', 'transition'),
+    ...part('start_state', 'startState'),
+    ...part('goal_state', 'goalState'),
+    ...once,
   };
 }
 
@@ -83,8 +101,8 @@ function readStep(value: unknown, what: string): LaunchStep {
     case 'end':
       return { do: kind, node: text(json, 'node', what), ...at };
     case 'transition': {
-      const id = (item: unknown, where: string): number =>
-        (typeof item === 'number' && Number.isInteger(item) && item >= 0 && item < 256 ? item : fail(`${where} is not a transition`));
+      const id = (item: unknown,
+        where: string): number => (typeof item === 'number' && Number.isInteger(item) && item >= 0 && item < 256 ? item : fail(`${where} is not a transition`));
       return { do: kind, node: text(json, 'node', what), name: text(json, 'name', what), transitions: list(json, 'transitions', what, id), ...at };
     }
     default:

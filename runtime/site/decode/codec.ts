@@ -12,8 +12,8 @@ export type { MessageValue } from './draft.ts';
 export type { Encoded } from './encoder.ts';
 
 export type Drafted =
-  | { readonly kind: 'value'; readonly value: MessageValue }
-  | { readonly kind: 'failed'; readonly reason: string };
+  | { readonly kind: 'value'; readonly value: MessageValue; }
+  | { readonly kind: 'failed'; readonly reason: string; };
 
 export interface Codec extends Decoder {
   readonly types: Types;

@@ -8,8 +8,8 @@ import type { Shape } from './shape.ts';
 import { createTypes, messageOf, type Types } from './types.ts';
 
 export type Decoded =
-  | { readonly kind: 'value'; readonly value: unknown; readonly shape: Shape }
-  | { readonly kind: 'failed'; readonly reason: string };
+  | { readonly kind: 'value'; readonly value: unknown; readonly shape: Shape; }
+  | { readonly kind: 'failed'; readonly reason: string; };
 
 interface TypeReader {
   readonly read: (bytes: Uint8Array) => unknown;

@@ -3,9 +3,9 @@
 
 export type Definitions = ReadonlyMap<string, string>;
 
-const kSeparator = `\n${'='.repeat(80)}\n`;
+const SEPARATOR = `\n${'='.repeat(80)}\n`;
 
-const kPrimitive: ReadonlySet<string> = new Set([
+const PRIMITIVE: ReadonlySet<string> = new Set([
   'bool',
   'byte',
   'char',
@@ -24,20 +24,20 @@ const kPrimitive: ReadonlySet<string> = new Set([
 ]);
 
 /** Types whose two fields the decoder knows by itself. */
-const kTimes: ReadonlySet<string> = new Set([
+const TIMES: ReadonlySet<string> = new Set([
   'builtin_interfaces/msg/Time',
   'builtin_interfaces/msg/Duration',
 ]);
 
-const kTimeText: ReadonlyMap<string, string> = new Map([...kTimes].map((time) => [time, 'int32 sec\nuint32 nanosec']));
+const TIME_TEXT: ReadonlyMap<string, string> = new Map([...TIMES].map((time) => [time, 'int32 sec\nuint32 nanosec']));
 
 /** The text for one message type, or the name of the type that is missing. */
 export function gatherDefinition(
   type: string,
   interfaces: Definitions,
-): { text: string } | { missing: string } {
+): { text: string; } | { missing: string; } {
   const found = gatherParts(type, interfaces);
-  return 'missing' in found ? found : { text: found.parts.map(({ text }) => text).join(kSeparator) };
+  return 'missing' in found ? found : { text: found.parts.map(({ text }) => text).join(SEPARATOR) };
 }
 
 /**
@@ -47,12 +47,12 @@ export function gatherDefinition(
 export function gatherSchema(type: string, interfaces: Definitions): string | undefined {
   const found = gatherParts(type, interfaces);
   if ('missing' in found) return undefined;
-  const times = [...kTimes].filter((time) => time !== type && found.parts.some(({ uses }) => uses.has(time)));
-  const all = [...found.parts, ...times.map((time) => ({ type: time, source: interfaces.get(time) ?? kTimeText.get(time) ?? '' }))];
+  const times = [...TIMES].filter((time) => time !== type && found.parts.some(({ uses }) => uses.has(time)));
+  const all = [...found.parts, ...times.map((time) => ({ type: time, source: interfaces.get(time) ?? TIME_TEXT.get(time) ?? '' }))];
   return all.map(({ type: name, source }, index) => {
     const [package_name = '', , own = ''] = name.split('/');
     return index === 0 ? source.trimEnd() : `MSG: ${package_name}/${own}\n${source.trimEnd()}`;
-  }).join(kSeparator);
+  }).join(SEPARATOR);
 }
 
 /** The types in a schema of a bag, by their full names; `type` is that of the first. Parts without a valid form are skipped. */
@@ -77,12 +77,12 @@ interface Part {
   readonly source: string;
   /** With full names. */
   readonly text: string;
-  /** Those of kTimes that it names. */
+  /** Those of TIMES that it names. */
   readonly uses: ReadonlySet<string>;
 }
 
 /** A type and all types inside it. */
-function gatherParts(type: string, interfaces: Definitions): { parts: Part[] } | { missing: string } {
+function gatherParts(type: string, interfaces: Definitions): { parts: Part[]; } | { missing: string; } {
   const done = new Set<string>([type]);
   const queue: string[] = [type];
   const parts: Part[] = [];
@@ -97,8 +97,8 @@ function gatherParts(type: string, interfaces: Definitions): { parts: Part[] } |
       const field = readField(line);
       if (field === null) continue;
       const full = qualify(field.type, next);
-      if (full !== null && kTimes.has(full)) uses.add(full);
-      if (full !== null && !done.has(full) && !kTimes.has(full)) {
+      if (full !== null && TIMES.has(full)) uses.add(full);
+      if (full !== null && !done.has(full) && !TIMES.has(full)) {
         done.add(full);
         queue.push(full);
       }
@@ -111,7 +111,7 @@ function gatherParts(type: string, interfaces: Definitions): { parts: Part[] } |
 
 /** `geometry_msgs/msg/Point` for `Point` in `geometry_msgs/msg/Pose`; null for a primitive type. */
 export function qualify(type: string, within: string): string | null {
-  if (kPrimitive.has(type)) return null;
+  if (PRIMITIVE.has(type)) return null;
   const tokens = type.split('/');
   if (tokens.length === 3) return type;
   if (tokens.length === 2) return `${tokens[0] ?? ''}/msg/${tokens[1] ?? ''}`;
@@ -154,7 +154,7 @@ function derivedDefinition(type: string, interfaces: Definitions): string | unde
 }
 
 /** Splits a line into its type name and what follows (bounds, name, value); null when it declares nothing. */
-function readField(line: string): { type: string; rest: string } | null {
+function readField(line: string): { type: string; rest: string; } | null {
   const match = /^([A-Za-z][A-Za-z0-9_/]*)(.*)$/.exec(line.trim());
   return match === null ? null : { type: match[1] ?? '', rest: match[2] ?? '' };
 }

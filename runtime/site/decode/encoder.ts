@@ -8,9 +8,9 @@ import type { Field, Shape } from './shape.ts';
 import { messageOf, type Types } from './types.ts';
 
 export type Encoded =
-  | { readonly kind: 'bytes'; readonly bytes: Uint8Array<ArrayBuffer> }
+  | { readonly kind: 'bytes'; readonly bytes: Uint8Array<ArrayBuffer>; }
   /** `path`: as `header.stamp.sec` or `points[3].x`; empty for the message itself. */
-  | { readonly kind: 'failed'; readonly path: string; readonly reason: string };
+  | { readonly kind: 'failed'; readonly path: string; readonly reason: string; };
 
 interface Whole {
   readonly least: bigint;

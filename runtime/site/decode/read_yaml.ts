@@ -7,21 +7,30 @@ import { messageOf } from './types.ts';
 import { formatFloat, isList, isMessage } from './yaml.ts';
 
 export type ReadValue =
-  | { readonly kind: 'value'; readonly value: unknown }
-  | { readonly kind: 'failed'; readonly reason: string };
+  | { readonly kind: 'value'; readonly value: unknown; }
+  | { readonly kind: 'failed'; readonly reason: string; };
 
 /** PyYAML takes `y` and `n` for texts, so that `{x: 1, y: 2}` is a point. */
 function asPyYaml(tags: Tags): Tags {
-  return tags.map((tag) => typeof tag === 'object' && tag.tag === 'tag:yaml.org,2002:bool' && 'test' in tag && tag.test !== undefined
-    ? { ...tag, test: tag.test.test('true') ? /^(?:yes|Yes|YES|true|True|TRUE|on|On|ON)$/ : /^(?:no|No|NO|false|False|FALSE|off|Off|OFF)$/ }
-    : tag);
+  return tags.map((tag) =>
+    typeof tag === 'object' && tag.tag === 'tag:yaml.org,2002:bool' && 'test' in tag && tag.test !== undefined
+      ? { ...tag, test: tag.test.test('true') ? /^(?:yes|Yes|YES|true|True|TRUE|on|On|ON)$/ : /^(?:no|No|NO|false|False|FALSE|off|Off|OFF)$/ }
+      : tag
+  );
 }
 
 /** Any YAML document; integers are bigints. An empty text is null. */
 export function readYaml(text: string): ReadValue {
   try {
     const document = parseDocument(text, {
-      version: '1.1', schema: 'yaml-1.1', intAsBigInt: true, strict: true, uniqueKeys: false, logLevel: 'silent', prettyErrors: true, customTags: asPyYaml,
+      version: '1.1',
+      schema: 'yaml-1.1',
+      intAsBigInt: true,
+      strict: true,
+      uniqueKeys: false,
+      logLevel: 'silent',
+      prettyErrors: true,
+      customTags: asPyYaml,
     });
     const [error] = document.errors;
     if (error !== undefined) return { kind: 'failed', reason: error.message.trim() };
@@ -44,7 +53,7 @@ function plain(value: unknown): unknown {
 
 export interface Fill {
   /** The time for `stamp: now` and `header: auto`; undefined: these words have no special meaning. */
-  readonly now?: { readonly sec: number; readonly nanosec: number };
+  readonly now?: { readonly sec: number; readonly nanosec: number; };
 }
 
 /** Reads a message's fields from YAML. Values that do not fit are left for the encoder to refuse. */

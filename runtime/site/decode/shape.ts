@@ -75,7 +75,8 @@ export function buildShape(definitions: readonly RawDefinition[]): Shape {
 
 export function constantsOf(definition: RawDefinition | undefined): readonly Constant[] {
   return (definition?.definitions ?? []).flatMap(({ isConstant, name, type, value }) =>
-    isConstant === true && value !== undefined ? [{ name, type, value }] : []);
+    isConstant === true && value !== undefined ? [{ name, type, value }] : []
+  );
 }
 
 export function isFloat(field: Field | undefined): boolean {

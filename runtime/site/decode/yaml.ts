@@ -8,7 +8,7 @@ import type { Field, Shape } from './shape.ts';
 export type InFlow = (value: unknown, field: Field | undefined, truncate: number | null) => string;
 
 /** Arrays and strings longer than this are cut, as `ros2 topic echo` does without --full-length. */
-export const kTruncateLength = 128;
+export const TRUNCATE_LENGTH = 128;
 
 /** True for every kind of array that the decoder returns. */
 export function isList(value: unknown): value is ArrayLike<unknown> {
@@ -32,7 +32,7 @@ interface Style {
 export function toYaml(
   value: unknown,
   shape: Shape | null,
-  truncate: number | null = kTruncateLength,
+  truncate: number | null = TRUNCATE_LENGTH,
   flow?: InFlow,
 ): string {
   if (!isMessage(value)) return `${formatScalar(value, truncate, '')}\n`;
@@ -51,8 +51,7 @@ export function formatScalar(
 ): string {
   switch (typeof value) {
     case 'string': {
-      const cut =
-        truncate !== null && value.length > truncate ? `${value.slice(0, truncate)}...` : value;
+      const cut = truncate !== null && value.length > truncate ? `${value.slice(0, truncate)}...` : value;
       return formatText(cut, indent);
     }
     case 'number':
@@ -149,8 +148,8 @@ function writeList(
 
 // --- Text, by the rules of PyYAML's emitter -----------------------------------------------------------
 
-const kBreak = '\n\u0085\u2028\u2029';
-const kResolvesToOther = [
+const BREAK = '\n\u0085\u2028\u2029';
+const RESOLVES_TO_OTHER = [
   /^(?:yes|Yes|YES|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF)$/,
   /^(?:[-+]?[0-9][0-9_]*\.[0-9_]*(?:[eE][-+][0-9]+)?|\.[0-9][0-9_]*(?:[eE][-+][0-9]+)?|[-+]?[0-9][0-9_]*(?::[0-5]?[0-9])+\.[0-9_]*|[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN))$/,
   /^(?:[-+]?0b[0-1_]+|[-+]?0[0-7_]+|[-+]?(?:0|[1-9][0-9_]*)|[-+]?0x[0-9a-fA-F_]+|[-+]?[1-9][0-9_]*(?::[0-5]?[0-9])+)$/,
@@ -165,7 +164,7 @@ interface Analysis {
 
 export function formatText(text: string, indent: string): string {
   const { plain, singleQuoted } = analyse(text);
-  if (plain && !kResolvesToOther.some((pattern) => pattern.test(text))) return text;
+  if (plain && !RESOLVES_TO_OTHER.some((pattern) => pattern.test(text))) return text;
   return singleQuoted ? singleQuote(text, indent) : doubleQuote(text);
 }
 
@@ -179,8 +178,7 @@ function analyse(text: string): Analysis {
   let afterSpace = false;
   let afterBreak = false;
   const characters = Array.from(text);
-  const isWhite = (c: string | undefined): boolean =>
-    c === undefined || '\0 \t\r'.includes(c) || kBreak.includes(c);
+  const isWhite = (c: string | undefined): boolean => c === undefined || '\0 \t\r'.includes(c) || BREAK.includes(c);
   characters.forEach((c, index) => {
     const whiteAfter = isWhite(characters[index + 1]);
     const whiteBefore = index === 0 || isWhite(characters[index - 1]);
@@ -189,13 +187,13 @@ function analyse(text: string): Analysis {
     } else if ((c === ':' && whiteAfter) || (c === '#' && whiteBefore)) {
       indicators = true;
     }
-    if (kBreak.includes(c)) breaks = true;
+    if (BREAK.includes(c)) breaks = true;
     if (!isPrintable(c)) special = true;
     if (c === ' ') {
       if (afterBreak) breakThenSpace = true;
       afterSpace = true;
       afterBreak = false;
-    } else if (kBreak.includes(c)) {
+    } else if (BREAK.includes(c)) {
       if (afterSpace) spaceThenBreak = true;
       afterBreak = true;
       afterSpace = false;
@@ -204,8 +202,7 @@ function analyse(text: string): Analysis {
       afterBreak = false;
     }
   });
-  const edge = (c: string | undefined): boolean =>
-    c === ' ' || (c !== undefined && kBreak.includes(c));
+  const edge = (c: string | undefined): boolean => c === ' ' || (c !== undefined && BREAK.includes(c));
   const never = breakThenSpace || spaceThenBreak || special;
   return {
     plain: !(indicators || breaks || edge(characters[0]) || edge(characters.at(-1)) || never),
@@ -216,12 +213,12 @@ function analyse(text: string): Analysis {
 function isPrintable(c: string): boolean {
   const code = c.codePointAt(0) ?? 0;
   return (
-    c === '\n' ||
-    (code >= 0x20 && code <= 0x7e) ||
-    code === 0x85 ||
-    (code >= 0xa0 && code <= 0xd7ff) ||
-    (code >= 0xe000 && code <= 0xfffd && code !== 0xfeff) ||
-    (code >= 0x10000 && code < 0x10ffff)
+    c === '\n'
+    || (code >= 0x20 && code <= 0x7e)
+    || code === 0x85
+    || (code >= 0xa0 && code <= 0xd7ff)
+    || (code >= 0xe000 && code <= 0xfffd && code !== 0xfeff)
+    || (code >= 0x10000 && code < 0x10ffff)
   );
 }
 
@@ -231,7 +228,7 @@ function singleQuote(text: string, indent: string): string {
   return `'${escaped.replace(/[\n\u0085\u2028\u2029]+/g, (run) => `${run.startsWith('\n') ? '\n' : ''}${run}${indent}`)}'`;
 }
 
-const kEscapes: Readonly<Record<string, string>> = {
+const ESCAPES: Readonly<Record<string, string>> = {
   '\0': '0',
   '\u0007': 'a',
   '\b': 'b',
@@ -253,12 +250,11 @@ function doubleQuote(text: string): string {
   let out = '';
   for (const c of text) {
     const code = c.codePointAt(0) ?? 0;
-    const asIs =
-      !'"\\\u0085\u2028\u2029\ufeff'.includes(c) &&
-      ((code >= 0x20 && code <= 0x7e) ||
-        (code >= 0xa0 && code <= 0xd7ff) ||
-        (code >= 0xe000 && code <= 0xfffd));
-    const short = kEscapes[c];
+    const asIs = !'"\\\u0085\u2028\u2029\ufeff'.includes(c)
+      && ((code >= 0x20 && code <= 0x7e)
+        || (code >= 0xa0 && code <= 0xd7ff)
+        || (code >= 0xe000 && code <= 0xfffd));
+    const short = ESCAPES[c];
     if (asIs) out += c;
     else if (short !== undefined) out += `\\${short}`;
     else if (code <= 0xff) out += `\\x${hex(code, 2)}`;

@@ -64,7 +64,10 @@ function accepted(answer: Json): Json {
 
 /** Asks, and fetches what is missing, until there is an answer. `launch`: the text of launch.json. */
 async function askEvaluator(
-  evaluate: Evaluate, launch: string, question: LaunchQuestion, available: readonly string[],
+  evaluate: Evaluate,
+  launch: string,
+  question: LaunchQuestion,
+  available: readonly string[],
   fetchText: (path: string) => Promise<string>,
 ): Promise<Json> {
   const files: Record<string, string> = {};
@@ -86,7 +89,9 @@ async function askEvaluator(
  * and what is wrong with the launch file by the codes that `pack` has for it.
  */
 export async function siteWithArguments(
-  site: SiteDescription, given: ReadonlyMap<string, string>, platform: Platform,
+  site: SiteDescription,
+  given: ReadonlyMap<string, string>,
+  platform: Platform,
 ): Promise<SiteDescription> {
   if (given.size === 0) return site;
   const { launch } = site;
@@ -119,7 +124,8 @@ export async function siteWithArguments(
       const packed = packedWith.get(one.name) ?? one.default;
       return packed === undefined ? one : { ...one, packed };
     }),
-    notes: [...(without === 0 ? [] : [`${without} of ${site.checks.length} checks are skipped: their nodes do not run`]), ...listOf(answer['warnings']).map((one) => textOf(one, 'message')), ...textsOf(answer['remarks'])],
+    notes: [...(without === 0 ? [] : [`${without} of ${site.checks.length} checks are skipped: their nodes do not run`]),
+      ...listOf(answer['warnings']).map((one) => textOf(one, 'message')), ...textsOf(answer['remarks'])],
     decided: answer['decided'] === true,
     reran,
   };

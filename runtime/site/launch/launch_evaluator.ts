@@ -69,8 +69,7 @@ export async function openEvaluator(module: WebAssembly.Module, place?: LaunchPl
     },
   });
   const evaluator = instance.exports as unknown as EvaluatorExports;
-  const textAt = (at: number, size: number): string =>
-    new TextDecoder().decode(new Uint8Array(evaluator.memory.buffer, at >>> 0, size >>> 0));
+  const textAt = (at: number, size: number): string => new TextDecoder().decode(new Uint8Array(evaluator.memory.buffer, at >>> 0, size >>> 0));
   const put = (text: string): [at: number, size: number] => {
     const bytes = new TextEncoder().encode(text);
     const at = evaluator.ros2wasm_question(bytes.length);

@@ -56,10 +56,11 @@ export class LaunchGroup implements LaunchedNodes {
     this.steps = new LaunchSteps({
       nodes: renamed,
       steps: steps.map((step) => renamedStep(step, ids)),
-      after: (ms, task) => host.after(ms, () => {
-        task();
-        this.look();
-      }),
+      after: (ms, task) =>
+        host.after(ms, () => {
+          task();
+          this.look();
+        }),
       state: (id) => this.runner(id).view().state,
       start: (id, afterSeconds) => this.runner(id).start(afterSeconds * 1000),
       stop: (id) => this.runner(id).stop(),

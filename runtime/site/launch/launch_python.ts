@@ -60,9 +60,14 @@ export const runLaunch: RunLaunch = async (module, start, files, readNow, begun)
     return looks * 1e6;
   };
   const { python } = await openPyodide({
-    module, home, open: await files.pyodide(home), environment: { HOME: '/home', PYTHONHASHSEED: '0' },
+    module,
+    home,
+    open: await files.pyodide(home),
+    environment: { HOME: '/home', PYTHONHASHSEED: '0' },
     place: { clock: { steadyNs, systemNs: () => someDayNs }, random: seededRandom(someSeed, tools) },
-    image: undefined, toBeKept: false, fetched: fetchedOf(start),
+    image: undefined,
+    toBeKept: false,
+    fetched: fetchedOf(start),
   });
   if (recorders === undefined) throw new TypeError('the site has nothing that records launch files');
   install(python, [recorders], tools);
@@ -70,7 +75,7 @@ export const runLaunch: RunLaunch = async (module, start, files, readNow, begun)
   const read = verified(readNow, start.listed);
   mountShare(python, { files: start.files, readNow: read });
   const system = python['FS'] as unknown as FileSystem;
-  const { texts = {} } = JSON.parse(start.data) as { readonly texts?: Readonly<Record<string, string>> };
+  const { texts = {} } = JSON.parse(start.data) as { readonly texts?: Readonly<Record<string, string>>; };
   for (const [path, text] of Object.entries(texts)) {
     system.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     system.writeFile(path, text);

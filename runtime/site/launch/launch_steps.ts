@@ -2,9 +2,7 @@
 // as in the launch file; and the nodes that start when others have started, ended or changed their state.
 
 import type { DiagnosticCode } from '../contract/diagnostic_codes.ts';
-import {
-  changeStateRequest, changeStateSucceeded, changeStateType, readTransitionEvent, transitionEventType, type StateChange,
-} from './lifecycle_messages.ts';
+import { changeStateRequest, changeStateSucceeded, changeStateType, readTransitionEvent, transitionEventType, type StateChange } from './lifecycle_messages.ts';
 import type { PageNode } from '../contract/page_node.ts';
 import { type LaunchMoment, type LineTest, type LaunchStep, type LogLevel, type NodeState, type SiteNode, unreachable } from '../contract/session.ts';
 import { SiteError } from '../contract/site_error.ts';
@@ -13,12 +11,25 @@ import { SiteError } from '../contract/site_error.ts';
 const tellAfterMs = 10_000;
 
 const transitionLabels: Readonly<Record<number, string>> = {
-  0: 'create', 1: 'configure', 2: 'cleanup', 3: 'activate', 4: 'deactivate',
-  5: 'unconfigured_shutdown', 6: 'inactive_shutdown', 7: 'active_shutdown', 8: 'destroy',
+  0: 'create',
+  1: 'configure',
+  2: 'cleanup',
+  3: 'activate',
+  4: 'deactivate',
+  5: 'unconfigured_shutdown',
+  6: 'inactive_shutdown',
+  7: 'active_shutdown',
+  8: 'destroy',
 };
 
 const logLevels: Readonly<Record<string, LogLevel>> = {
-  debug: 'DEBUG', info: 'INFO', warning: 'WARN', warn: 'WARN', error: 'ERROR', critical: 'FATAL', fatal: 'FATAL',
+  debug: 'DEBUG',
+  info: 'INFO',
+  warning: 'WARN',
+  warn: 'WARN',
+  error: 'ERROR',
+  critical: 'FATAL',
+  fatal: 'FATAL',
 };
 
 /** In a text that is said of a line: where the line stands. printed_text.py and launch_step.hpp know it too. */
@@ -87,7 +98,7 @@ export class LaunchSteps {
   private readonly pending = new Map<() => void, LaunchStep>();
   private readonly talks = new Set<Talk>();
   /** Transitions that wait until their node runs. */
-  private readonly waiting = new Map<Extract<LaunchStep, { do: 'transition' }>, string>();
+  private readonly waiting = new Map<Extract<LaunchStep, { do: 'transition'; }>, string>();
   private readonly done = new Set<LaunchStep>();
   /** Handlers that looked at several processes and are followed once, by number. */
   private readonly over = new Set<number>();
@@ -159,15 +170,18 @@ export class LaunchSteps {
     if (!this.printing.has(node)) return;
     for (const [stream, , line] of lines) {
       const name = stream === 2 ? 'stderr' : 'stdout';
-      this.follow((on) => on.event === 'output' && on.node === node && on.stream === name
+      this.follow((on) =>
+        on.event === 'output' && on.node === node && on.stream === name
         && on.tests.every((test) => fits(line, test)), line);
     }
   }
 
   private changed(node: string, change: StateChange): void {
     const isAsked = (wanted: string | undefined, found: string): boolean => wanted === undefined || wanted === found;
-    this.follow((on) => on.node === node && on.event === 'transition' && isAsked(on.transition, change.transition)
-      && isAsked(on.startState, change.startState) && isAsked(on.goalState, change.goalState));
+    this.follow((on) =>
+      on.node === node && on.event === 'transition' && isAsked(on.transition, change.transition)
+      && isAsked(on.startState, change.startState) && isAsked(on.goalState, change.goalState)
+    );
   }
 
   /** Whether that was all. Once what happens now has had its say: an end may start another node. */
@@ -268,7 +282,7 @@ export class LaunchSteps {
   }
 
   /** Each transition when the one before has succeeded. */
-  private async change({ node, name, transitions }: Extract<LaunchStep, { do: 'transition' }>): Promise<void> {
+  private async change({ node, name, transitions }: Extract<LaunchStep, { do: 'transition'; }>): Promise<void> {
     const talk: Talk = { node, abandoned: new AbortController() };
     this.talks.add(talk);
     const client = this.host.pageNode().client(`${name}/change_state`, changeStateType);

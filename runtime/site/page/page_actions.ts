@@ -179,7 +179,8 @@ class Goal implements PageGoal {
       whole.set(request);
       whole.set(goal.subarray(header.length), request.length);
       const reply = await client.sending.call(whole, {
-        signal: this.unsent.signal, ...(timeoutMs === undefined ? {} : { timeoutMs }),
+        signal: this.unsent.signal,
+        ...(timeoutMs === undefined ? {} : { timeoutMs }),
       });
       const accepted = reply[header.length] === 1;
       this.answer.resolve(accepted);

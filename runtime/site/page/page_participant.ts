@@ -9,7 +9,15 @@ import { ActionClient } from './page_actions.ts';
 import { Client, Publisher, Subscription } from './page_endpoints.ts';
 import { closedError, guarded, type Made, type PageReader, type Participant, type Taken, type Watcher } from './participant.ts';
 import type {
-  MessageListener, PageActionClient, PageClient, PageNode, PagePublisher, PageSubscription, PageTimer, QosRequest, SubscriptionRequest,
+  MessageListener,
+  PageActionClient,
+  PageClient,
+  PageNode,
+  PagePublisher,
+  PageSubscription,
+  PageTimer,
+  QosRequest,
+  SubscriptionRequest,
 } from '../contract/page_node.ts';
 import { endpointQos } from '../contract/qos_view.ts';
 import { SiteError } from '../contract/site_error.ts';
@@ -28,7 +36,7 @@ export class PageParticipant implements PageNode, Participant {
   private readonly readers = new Map<number, PageReader>();
   /** Called at each event, before and after samples are taken. */
   private readonly watchers = new Set<Watcher>();
-  private readonly open = new Set<{ close(): void }>();
+  private readonly open = new Set<{ close(): void; }>();
   private pumping = false;
   private closed = false;
   private readonly heap = scratch(firstBytes);
@@ -86,12 +94,12 @@ export class PageParticipant implements PageNode, Participant {
   }
 
   /** Forgets it when it is closed; one that could not be made is nothing to close. */
-  private keep<T extends { close(): void; readonly problem?: SiteError | undefined }>(made: T): T {
+  private keep<T extends { close(): void; readonly problem?: SiteError | undefined; }>(made: T): T {
     if (made.problem === undefined) this.open.add(made);
     return made;
   }
 
-  forget(closed: { close(): void }): void {
+  forget(closed: { close(): void; }): void {
     this.open.delete(closed);
   }
 
@@ -109,7 +117,8 @@ export class PageParticipant implements PageNode, Participant {
       return { problem: new SiteError('R2W0715', `\`${type}\` is not a valid type`, { why: 'types are written as `std_msgs/msg/String`' }) };
     }
     this.node ??= link.nodeCreate(nodeName, '/');
-    const handle = this.node < 0 ? this.node
+    const handle = this.node < 0
+      ? this.node
       : link.endpointCreate({ kind, node: this.node, name, type, hash: '', qos: endpointQos(qos), flags: anyType ? flagHidden : 0, past });
     if (handle >= 0) return { handle };
     if (this.node < 0) this.node = undefined;

@@ -17,7 +17,7 @@ export interface Taken {
   readonly words: Int32Array;
 }
 
-export type Made = { readonly handle: number } | { readonly problem: SiteError };
+export type Made = { readonly handle: number; } | { readonly problem: SiteError; };
 
 export interface Watcher {
   /** At an event, before samples are taken. */
@@ -39,7 +39,7 @@ export interface Participant {
   read(reader: PageReader): void;
   unread(handle: number): void;
   watch(watcher: Watcher): () => void;
-  forget(closed: { close(): void }): void;
+  forget(closed: { close(): void; }): void;
 }
 
 /** Reports a throwing listener to the global error handler, without affecting the others. */

@@ -31,17 +31,18 @@ export function keptBytes(base: URL, hashes: KeptTexts): KeptBytes {
     await cache.delete(own);
   };
   return {
-    get: (key) => withCache(async (cache) => {
-      const own = address(key);
-      const found = await (await cache.match(own))?.blob();
-      if (found === undefined) return undefined;
-      const hash = hashes.get(own);
-      // A copy in memory: what is hashed is what is used, whatever becomes of the cache.
-      const bytes = hash === undefined ? undefined : await found.arrayBuffer();
-      if (bytes !== undefined && await sha256Of(bytes) === hash) return new Blob([bytes]);
-      await dropFrom(cache, own);
-      return undefined;
-    }),
+    get: (key) =>
+      withCache(async (cache) => {
+        const own = address(key);
+        const found = await (await cache.match(own))?.blob();
+        if (found === undefined) return undefined;
+        const hash = hashes.get(own);
+        // A copy in memory: what is hashed is what is used, whatever becomes of the cache.
+        const bytes = hash === undefined ? undefined : await found.arrayBuffer();
+        if (bytes !== undefined && await sha256Of(bytes) === hash) return new Blob([bytes]);
+        await dropFrom(cache, own);
+        return undefined;
+      }),
     put: async (key, blob) => {
       await withCache(async (cache) => {
         const own = address(key);

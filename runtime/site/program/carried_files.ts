@@ -12,12 +12,12 @@ export interface CarriedFiles {
 }
 
 export function carriedFiles(): CarriedFiles | undefined {
-  return (globalThis as { ros2wasmFiles?: CarriedFiles }).ros2wasmFiles;
+  return (globalThis as { ros2wasmFiles?: CarriedFiles; }).ros2wasmFiles;
 }
 
 /** By paths. Bundles that have this module each share it, so it is the page's own. */
 type Places = ReadonlyMap<string, readonly string[]>;
-const page = globalThis as { ros2wasmPlaces?: Places };
+const page = globalThis as { ros2wasmPlaces?: Places; };
 
 /** To be called once the list is read. */
 export function setPlaces(files: readonly SiteFile[]): void {
@@ -81,7 +81,8 @@ export async function workerFiles(base: URL, paths: readonly string[]): Promise<
   if (carried === undefined && (page.ros2wasmPlaces?.size ?? 0) === 0) return undefined;
   const own = paths.filter((path) => /^(share|python|pyodide)\/|^python_worker\.js$/.test(path) && !path.endsWith('.wasm'));
   const places = (path: string): readonly string[] => addressesOf(path).map((at) => new URL(at, base).href);
-  const files = await Promise.all(own.map(async (path) =>
-    [new URL(encoded(path), base).href, carried === undefined ? places(path) : await carried.file(path)] as const));
+  const files = await Promise.all(
+    own.map(async (path) => [new URL(encoded(path), base).href, carried === undefined ? places(path) : await carried.file(path)] as const),
+  );
   return new Map(files.flatMap(([address, file]) => (file === undefined ? [] : [[address, file]])));
 }

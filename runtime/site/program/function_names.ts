@@ -20,7 +20,7 @@ class Cursor {
 
   number(): number {
     let value = 0;
-    for (let scale = 1; ; scale *= 128) {
+    for (let scale = 1;; scale *= 128) {
       const byte = this.bytes[this.at++] ?? 0;
       value += (byte & 127) * scale;
       if (byte < 128) return value;

@@ -1,8 +1,6 @@
 // Module "ros2wasm": the link, as a program calls it. protocol/SPEC.md section 3.
 
-import {
-  abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, type StatusKind, type TerminalMode,
-} from '../../protocol/generated/constants.ts';
+import { abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, type StatusKind, type TerminalMode } from '../../protocol/generated/constants.ts';
 import { encodeGraph } from '../bus/graph_snapshot.ts';
 import type { Link } from '../bus/link.ts';
 import { type SentMessage, sentMessage } from './message_trace.ts';
@@ -20,7 +18,10 @@ function milliseconds(low: number | bigint, high: number | undefined): number {
 export type HostFunction = (...args: never[]) => unknown;
 
 export function hostImports(
-  link: Link, memory: () => ProgramMemory, idle: () => void, terminal: (mode: TerminalMode) => void,
+  link: Link,
+  memory: () => ProgramMemory,
+  idle: () => void,
+  terminal: (mode: TerminalMode) => void,
   sent?: (message: SentMessage) => void,
 ) {
   /** The names of the endpoints, by handle; filled only when the messages sent are traced. */

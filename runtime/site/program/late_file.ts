@@ -5,7 +5,7 @@ export interface FileSystem {
   readonly mkdirTree: (path: string) => void;
   readonly createFile: (folder: string, name: string, properties: object, read: boolean, write: boolean) => object;
   readonly unlink: (path: string) => void;
-  readonly ErrnoError: new (number: number) => Error;
+  readonly ErrnoError: new(number: number) => Error;
 }
 
 /** EIO of Emscripten. */

@@ -27,7 +27,11 @@ function hashBytes(bytes: Uint8Array): string {
 
 /** The record of a message that a program has just written. `info`: address of its SampleInfo, filled in. */
 export function sentMessage(
-  name: string, memory: ProgramMemory, data: number, length: number, info: number,
+  name: string,
+  memory: ProgramMemory,
+  data: number,
+  length: number,
+  info: number,
 ): SentMessage {
   return {
     name,

@@ -9,7 +9,7 @@ export const askForList = 'which site.json';
 /** `text`: site.json as the page got it. */
 export function answerForList(text: string): void {
   try {
-    const { serviceWorker } = navigator as { readonly serviceWorker?: ServiceWorkerContainer };
+    const { serviceWorker } = navigator as { readonly serviceWorker?: ServiceWorkerContainer; };
     serviceWorker?.addEventListener('message', ({ data, ports }: MessageEvent<unknown>) => {
       if (data === askForList) void sha256Of(new TextEncoder().encode(text)).then((hash) => ports[0]?.postMessage(hash));
     });

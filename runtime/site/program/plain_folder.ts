@@ -23,7 +23,7 @@ function put(from: readonly string[], to: string): void {
 }
 
 /** undefined: the site is one already. Throws SiteError R2W0706. */
-export function plainFolder(folder: string, files: readonly SiteFile[]): { readonly place: string; close(): void } | undefined {
+export function plainFolder(folder: string, files: readonly SiteFile[]): { readonly place: string; close(): void; } | undefined {
   if (files.every(({ at }) => at === undefined)) return undefined;
   const place = mkdtempSync(join(tmpdir(), 'ros2wasm-run-'));
   const close = (): void => rmSync(place, { recursive: true, force: true });

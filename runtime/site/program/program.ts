@@ -18,9 +18,9 @@ import { type Input, type Leave, ProgramExit, suspendingWasi, wasiImports } from
 
 export type ProgramEnd =
   /** A thread that came to its end; the program goes on. */
-  | { readonly kind: 'thread' }
-  | { readonly kind: 'exit'; readonly code: number }
-  | { readonly kind: 'crash'; readonly code: DiagnosticCode; readonly message: string };
+  | { readonly kind: 'thread'; }
+  | { readonly kind: 'exit'; readonly code: number; }
+  | { readonly kind: 'crash'; readonly code: DiagnosticCode; readonly message: string; };
 
 export interface ProgramHost {
   readonly link: Link;
@@ -56,7 +56,7 @@ export interface ThreadStart extends ThreadRequest {
 }
 
 interface SuspendingConstructor {
-  new (f: (...args: never[]) => unknown): WebAssembly.ImportValue;
+  new(f: (...args: never[]) => unknown): WebAssembly.ImportValue;
 }
 
 /** JavaScript Promise Integration, as far as this engine has it. */
@@ -90,10 +90,12 @@ function withMemory(env: WebAssembly.ModuleImports | undefined, memory: WebAssem
 
 /** The memory that a threaded program imports. The module does not tell how much it needs: try upwards. */
 export function instantiateThreaded(
-  module: WebAssembly.Module, imports: WebAssembly.Imports, shared: WebAssembly.Memory | undefined,
+  module: WebAssembly.Module,
+  imports: WebAssembly.Imports,
+  shared: WebAssembly.Memory | undefined,
   use: (memory: WebAssembly.Memory) => void,
 ): WebAssembly.Instance {
-  for (let initial = 256; ; initial *= 2) {
+  for (let initial = 256;; initial *= 2) {
     const memory = shared ?? new WebAssembly.Memory({ initial, maximum: maxThreadedPages, shared: true });
     use(memory);
     try {
@@ -118,7 +120,9 @@ function unknownImports(module: WebAssembly.Module, imports: WebAssembly.Imports
 
 /** Runs the program's main, or one of its threads, to its end. */
 export async function runProgram(
-  module: WebAssembly.Module, host: ProgramHost, thread?: ThreadStart,
+  module: WebAssembly.Module,
+  host: ProgramHost,
+  thread?: ThreadStart,
 ): Promise<ProgramEnd> {
   const threaded = isThreaded(module);
   const suspend = host.link.kind === 'port' ? promiseIntegration() : undefined;
@@ -179,8 +183,9 @@ export async function runProgram(
     files: exports,
   });
   const wrap = (functions: Record<string, (...args: never[]) => unknown>, names: ReadonlySet<string>) =>
-    Object.fromEntries(Object.entries(functions).map(([name, f]) =>
-      [name, suspend !== undefined && names.has(name) ? new suspend.suspending(f) : f])) as WebAssembly.ModuleImports;
+    Object.fromEntries(
+      Object.entries(functions).map(([name, f]) => [name, suspend !== undefined && names.has(name) ? new suspend.suspending(f) : f]),
+    ) as WebAssembly.ModuleImports;
   let detached = false;
   const env = envImports({
     leave,
@@ -323,7 +328,9 @@ function explain(error: unknown, exports: ProgramExports | undefined, memory: Pr
 }
 
 function exceptionText(
-  error: WebAssembly.Exception, exports: ProgramExports | undefined, memory: ProgramMemory | undefined,
+  error: WebAssembly.Exception,
+  exports: ProgramExports | undefined,
+  memory: ProgramMemory | undefined,
 ): string | undefined {
   const tag = exports?.__cpp_exception;
   const what = exports?.ros2wasm_exception_what;

@@ -37,14 +37,22 @@ export const homeFolder = '/home/user';
 /** The environment of each program; the variables of its node override it. */
 export function siteEnvironment(site: SiteDescription): Readonly<Record<string, string>> {
   return {
-    AMENT_PREFIX_PATH: prefixOf(site), HOME: homeFolder, PWD: homeFolder, USER: 'user',
-    ROS_DISTRO: site.distro, ROS_PYTHON_VERSION: '3', ROS_VERSION: '2',
+    AMENT_PREFIX_PATH: prefixOf(site),
+    HOME: homeFolder,
+    PWD: homeFolder,
+    USER: 'user',
+    ROS_DISTRO: site.distro,
+    ROS_PYTHON_VERSION: '3',
+    ROS_VERSION: '2',
   };
 }
 
 export function fileImports(
-  { prefix, place, files }: SiteFiles, readNow: ReadNow, memory: () => ProgramMemory,
-  give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void, gate: OutputGate,
+  { prefix, place, files }: SiteFiles,
+  readNow: ReadNow,
+  memory: () => ProgramMemory,
+  give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void,
+  gate: OutputGate,
 ): Record<string, HostFunction> {
   let encoded: Uint8Array | undefined;
   return {

@@ -1,9 +1,7 @@
 // A node's standard input travels over the link, since nothing else reaches a worker that blocks: a hidden topic per
 // node, written by the page. An empty message is the end of input.
 
-import {
-  Durability, EndpointKind, ErrorCode, flagHidden, History, Reliability, WaitResult,
-} from '../../protocol/generated/constants.ts';
+import { Durability, EndpointKind, ErrorCode, flagHidden, History, Reliability, WaitResult } from '../../protocol/generated/constants.ts';
 import { hiddenNamespace } from '../bus/graph.ts';
 import type { EndpointDescription, Heap, Link } from '../bus/link.ts';
 import { defaultQos } from '../contract/qos.ts';
@@ -85,8 +83,7 @@ export function inputReader(link: Link, id: string): Input {
     },
     arrives: (milliseconds) => {
       const result = arrives(milliseconds === Infinity ? Infinity : link.clock.steadyNs() + milliseconds * 1e6);
-      const answer = (ended: WaitResult | undefined): Arrival =>
-        ended === undefined ? 'input' : ended === WaitResult.stop ? 'stop' : 'timeout';
+      const answer = (ended: WaitResult | undefined): Arrival => ended === undefined ? 'input' : ended === WaitResult.stop ? 'stop' : 'timeout';
       return result instanceof Promise ? result.then(answer) : answer(result);
     },
   };

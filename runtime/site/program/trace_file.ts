@@ -28,7 +28,7 @@ export class TraceFile {
   }
 
   /** How many messages there were, and the hash of the file. */
-  close(): { readonly messages: number; readonly sha256: string } {
+  close(): { readonly messages: number; readonly sha256: string; } {
     closeSync(this.file);
     return { messages: this.trace.messages, sha256: this.trace.sha256() };
   }

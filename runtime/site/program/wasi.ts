@@ -201,7 +201,8 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
     fd_seek: (fd: number, ...rest: readonly (number | bigint)[]): number => {
       if (fd <= 2) return spipe;
       // The offset comes as one i64, or as two halves.
-      const [offset, whence, out] = typeof rest[0] === 'bigint' ? [rest[0], rest[1], rest[2]]
+      const [offset, whence, out] = typeof rest[0] === 'bigint'
+        ? [rest[0], rest[1], rest[2]]
         : [(BigInt(rest[1] ?? 0) << 32n) | BigInt(Number(rest[0]) >>> 0), rest[2], rest[3]];
       const low = Number(BigInt.asIntN(32, offset));
       return host.files().ros2wasm_fd_seek?.(fd, low, Number(offset >> 32n), Number(whence), Number(out)) ?? badf;

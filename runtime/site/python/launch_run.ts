@@ -24,5 +24,9 @@ export interface LaunchStart {
 
 /** How python_worker.js is called in a browser to evaluate a launch file. `begun`: the interpreter is there. */
 export type RunLaunch = (
-  module: WebAssembly.Module, start: LaunchStart, files: WorkerFiles, readNow: ReadNow, begun: () => void,
+  module: WebAssembly.Module,
+  start: LaunchStart,
+  files: WorkerFiles,
+  readNow: ReadNow,
+  begun: () => void,
 ) => Promise<unknown>;

@@ -29,12 +29,12 @@ interface Vector extends Bound {
 }
 
 type Callable = (...values: unknown[]) => unknown;
-type Class = new (...values: unknown[]) => Bound;
+type Class = new(...values: unknown[]) => Bound;
 
 interface OpenCvModule {
   readonly [name: string]: unknown;
-  readonly Mat: new (rows?: number, cols?: number, type?: number) => Mat;
-  exceptionFromPtr(address: number): { readonly code: number; readonly msg: string };
+  readonly Mat: new(rows?: number, cols?: number, type?: number) => Mat;
+  exceptionFromPtr(address: number): { readonly code: number; readonly msg: string; };
 }
 
 /** Address in Python's memory, rows, columns and type of a Mat. */
@@ -65,7 +65,7 @@ interface Call {
   readonly out: readonly number[];
 }
 
-const kVectors = /Vector$/;
+const VECTORS = /Vector$/;
 /** In a type of OpenCV: the depth is below, the number of channels less one above. */
 const channelBits = 3;
 
@@ -196,14 +196,15 @@ export class OpenCv {
       made.push(empty);
       return empty;
     }
-    if (c !== undefined) return (this.cv[c[0]] as { readonly values: Readonly<Record<number, unknown>> }).values[c[1]];
+    if (c !== undefined) return (this.cv[c[0]] as { readonly values: Readonly<Record<number, unknown>>; }).values[c[1]];
     return o === undefined ? j : this.objects.get(o);
   }
 
   private vector(name: string, elements: readonly unknown[], made: Bound[]): Vector {
     const vector = new (this.cv[name] as Class)() as Vector;
     made.push(vector);
-    for (const one of elements) vector.push_back(Array.isArray(one) && name.endsWith('VectorVector') ? this.vector(name.slice(0, -'Vector'.length), one, made) : one);
+    for (const one of elements)
+      vector.push_back(Array.isArray(one) && name.endsWith('VectorVector') ? this.vector(name.slice(0, -'Vector'.length), one, made) : one);
     return vector;
   }
 
@@ -218,7 +219,7 @@ export class OpenCv {
     if (typeof value !== 'object' || value === null) return value;
     if (value instanceof this.cv.Mat) return { m: [this.keep([value]), ...headOf(value)] };
     const name = value.constructor.name;
-    if (!kVectors.test(name)) return 'delete' in value ? { O: this.keep(value), p: attributesOf(value) } : value;
+    if (!VECTORS.test(name)) return 'delete' in value ? { O: this.keep(value), p: attributesOf(value) } : value;
     const vector = value as Vector;
     const elements = Array.from({ length: vector.size() }, (_, i) => vector.get(i));
     if (name !== 'MatVector') return elements.map((one) => this.result(one));
@@ -228,7 +229,7 @@ export class OpenCv {
   }
 
   private problem(error: unknown): readonly [number, string] {
-    const address = typeof error === 'number' ? error : (error as { readonly excPtr?: number } | undefined)?.excPtr;
+    const address = typeof error === 'number' ? error : (error as { readonly excPtr?: number; } | undefined)?.excPtr;
     if (address !== undefined) {
       const { code, msg } = this.cv.exceptionFromPtr(address);
       return [code, msg];

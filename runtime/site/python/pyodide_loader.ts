@@ -115,10 +115,12 @@ function nameZones(imports: WebAssembly.Imports, memory: ProgramMemory): void {
 
 /** Calls `load`; in the meantime, requests for Pyodide's wasm file get the given module, and loaded files are not fetched again. */
 async function withModule<T>(
-  { module, fetched }: PyodideOptions, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
+  { module, fetched }: PyodideOptions,
+  prepare: (imports: WebAssembly.Imports) => void,
+  load: () => Promise<T>,
 ): Promise<T> {
-  const wasm = WebAssembly as { instantiate: unknown; instantiateStreaming: unknown };
-  const scope = globalThis as { fetch: unknown };
+  const wasm = WebAssembly as { instantiate: unknown; instantiateStreaming: unknown; };
+  const scope = globalThis as { fetch: unknown; };
   const kept = { instantiate: wasm.instantiate, instantiateStreaming: wasm.instantiateStreaming, fetch: scope.fetch };
   const given = async (_source: unknown, imports: WebAssembly.Imports): Promise<WebAssembly.WebAssemblyInstantiatedSource> => {
     prepare(imports);
@@ -146,7 +148,7 @@ interface EmscriptenModule {
   readonly HEAPU8: Uint8Array;
   readonly FS: FileSystem;
 }
-type CreateModule = (settings: { INITIAL_MEMORY?: number }) => Promise<EmscriptenModule>;
+type CreateModule = (settings: { INITIAL_MEMORY?: number; }) => Promise<EmscriptenModule>;
 
 /** The size of a memory page in bytes, as in operating systems. */
 export const pageBytes = 4096;

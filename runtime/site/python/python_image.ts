@@ -63,10 +63,10 @@ export function pythonEnvironment(environment: Readonly<Record<string, string>>,
 interface FileSystem {
   readonly mkdirTree: (path: string) => void;
   readonly readdir: (path: string) => readonly string[];
-  readonly stat: (path: string) => { readonly mode: number };
+  readonly stat: (path: string) => { readonly mode: number; };
   readonly isDir: (mode: number) => boolean;
   readonly readFile: (path: string) => Uint8Array<ArrayBuffer>;
-  readonly writeFile: (path: string, bytes: Uint8Array, options: { readonly canOwn: boolean }) => void;
+  readonly writeFile: (path: string, bytes: Uint8Array, options: { readonly canOwn: boolean; }) => void;
 }
 
 function fileSystem(python: PyodideInterface): FileSystem {
@@ -84,7 +84,7 @@ function* filesBelow(system: FileSystem, folder: string): Generator<readonly [st
 
 /** Where the bytes of a bytearray lie, which stay there for good. `kept` holds them. */
 export function addressOf(bytes: PyProxy, kept: PyBuffer[]): number {
-  const buffer = (bytes as PyProxy & { getBuffer(type: string): PyBuffer }).getBuffer('u8');
+  const buffer = (bytes as PyProxy & { getBuffer(type: string): PyBuffer; }).getBuffer('u8');
   kept.push(buffer);
   return (buffer['data'] as Uint8Array).byteOffset;
 }
@@ -147,8 +147,14 @@ export const makeImage: MakePythonImage = async (module, start, files) => {
   const home = start.base + start.home;
   const archives = await archivesOf(start, start.archives, files);
   const { python } = await openPyodide({
-    module, home, open: await files.pyodide(home), environment: pythonEnvironment({}, start.share),
-    place: undefined, image: undefined, toBeKept: true, fetched: fetchedOf(start),
+    module,
+    home,
+    open: await files.pyodide(home),
+    environment: pythonEnvironment({}, start.share),
+    place: undefined,
+    image: undefined,
+    toBeKept: true,
+    fetched: fetchedOf(start),
   });
   const buffers: PyBuffer[] = [];
   const host = { address: (bytes: PyProxy): number => addressOf(bytes, buffers) };
@@ -156,7 +162,7 @@ export const makeImage: MakePythonImage = async (module, start, files) => {
   install(python, archives);
   startModule(python).prepare();
   const loaded = loadedFiles(python);
-  const keeper = python as unknown as { makeMemorySnapshot(options: object): Uint8Array<ArrayBuffer> };
+  const keeper = python as unknown as { makeMemorySnapshot(options: object): Uint8Array<ArrayBuffer>; };
   const snapshot = keeper.makeMemorySnapshot({
     serializer: (object: unknown): string => {
       if (object !== host) throw new TypeError('the interpreter holds an object of JavaScript that cannot be stored');
@@ -177,7 +183,9 @@ function loadedFiles(python: PyodideInterface): readonly string[] {
 
 /** Pyodide's snapshot is its description, whose length is its second word, and the memory. */
 function pack(
-  snapshot: Uint8Array<ArrayBuffer>, files: readonly (readonly [string, Uint8Array<ArrayBuffer>])[], loaded: readonly string[],
+  snapshot: Uint8Array<ArrayBuffer>,
+  files: readonly (readonly [string, Uint8Array<ArrayBuffer>])[],
+  loaded: readonly string[],
 ): Blob {
   const description = new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
   const memory = snapshot.subarray(description);

@@ -12,7 +12,7 @@ interface LibraryLoader {
 
 /** In this order, each as it was unpacked below `place`. Throws SiteError R2W0728. */
 export async function loadLibraries(python: PyodideInterface, paths: readonly string[], place: string): Promise<void> {
-  const loader = (python as unknown as { readonly _api: LibraryLoader })._api;
+  const loader = (python as unknown as { readonly _api: LibraryLoader; })._api;
   for (const path of paths) {
     try {
       await loader.loadDynlib(`${place}/${path}`, true);

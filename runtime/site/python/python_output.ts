@@ -10,13 +10,15 @@ export interface WatchedSystem {
     willDeletePath?: (path: string) => void;
   };
   readonly readFile: (path: string) => Uint8Array;
-  readonly stat: (path: string) => { readonly size: number };
+  readonly stat: (path: string) => { readonly size: number; };
 }
 
 /** `rest` hands over what is left, at the program's end. */
 export function watchOutput(
-  system: WatchedSystem, gate: OutputGate, give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void,
-): { readonly rest: () => void } {
+  system: WatchedSystem,
+  gate: OutputGate,
+  give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void,
+): { readonly rest: () => void; } {
   const changed = new Set<string>();
   const offer = (path: string): void => {
     try {

@@ -20,7 +20,18 @@ import { OpenCv } from './opencv.ts';
 import { loadLibraries } from './python_libraries.ts';
 import { placeSources } from './python_sources.ts';
 import { Interrupts, interrupt, threadFunctions } from './python_threads.ts';
-import { type MakePythonImage, addressOf, archivesOf, fetchedOf, install, prefix, pythonEnvironment, readImage, restoreFiles, startModule } from './python_image.ts';
+import {
+  type MakePythonImage,
+  addressOf,
+  archivesOf,
+  fetchedOf,
+  install,
+  prefix,
+  pythonEnvironment,
+  readImage,
+  restoreFiles,
+  startModule,
+} from './python_image.ts';
 import type { WorkerFiles } from './worker_files.ts';
 import type { PythonProgram } from '../contract/session.ts';
 import { SiteError } from '../contract/site_error.ts';
@@ -36,7 +47,7 @@ export interface PythonStart extends PythonProgram {
   /** Pyodide's files, and the archives that are in no image. */
   readonly parts: PythonParts;
   /** The image with which it begins, and the number of archives in it. */
-  readonly image: { readonly bytes: Blob; readonly archives: number } | undefined;
+  readonly image: { readonly bytes: Blob; readonly archives: number; } | undefined;
   readonly sources: SourceStart | undefined;
 }
 
@@ -50,7 +61,11 @@ export interface PythonReports {
 
 /** How python_worker.js is called in a browser to run a program. */
 export type RunPython = (
-  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles, reports: PythonReports,
+  module: WebAssembly.Module,
+  start: PythonStart,
+  host: ProgramHost,
+  files: WorkerFiles,
+  reports: PythonReports,
 ) => Promise<ProgramEnd>;
 
 /** The functions of python_worker.js. */
@@ -88,7 +103,12 @@ const sliceOver = 1;
  * the statuses are as they were, its next message is taken: ~length.
  */
 export function look(
-  link: Pick<Link, 'wakeToken' | 'ready' | 'statusVersion' | 'take'>, heap: ProgramMemory, at: number, capacity: number, expected: number, statuses: number,
+  link: Pick<Link, 'wakeToken' | 'ready' | 'statusVersion' | 'take'>,
+  heap: ProgramMemory,
+  at: number,
+  capacity: number,
+  expected: number,
+  statuses: number,
 ): number {
   heap.set(at, link.wakeToken());
   const ready = link.ready();
@@ -137,7 +157,11 @@ function openCvModule(memory: () => Uint8Array): Record<string, unknown> {
 
 /** The module `ros2wasm_host` of Python. */
 function hostModule(
-  host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void, showOutput: () => void,
+  host: ProgramHost,
+  memory: () => ProgramMemory,
+  stop: Interrupts,
+  died: (error: unknown) => void,
+  showOutput: () => void,
 ): Record<string, unknown> {
   const { link } = host;
   const imports = hostImports(link, memory, host.idle, host.terminal, host.sent);
@@ -175,8 +199,7 @@ function hostModule(
       if (typeof result !== 'number') return wait(result);
       return result === 0 && stop.sliceIsOver() ? sliceOver : result;
     },
-    hearer: (endpoint: number, at: number, capacity: number) => (statuses: number): number =>
-      look(link, memory(), at, capacity, endpoint, statuses),
+    hearer: (endpoint: number, at: number, capacity: number) => (statuses: number): number => look(link, memory(), at, capacity, endpoint, statuses),
     ...threadFunctions(stop, wait, died),
     look: (at: number, capacity: number, expected: number, statuses: number): number => look(link, memory(), at, capacity, expected, statuses),
     pending: () => pending,
@@ -206,7 +229,7 @@ const libraryPath = '/lib/python312.zip';
  * A started interpreter has imported most of what nodes use: the library's 3.3 MB come when it opens the file. undefined:
  * nobody can read it in the middle of a program here, so that it must be there at once.
  */
-function lateLibrary({ base, home, parts }: PythonStart): { readonly address: string; readonly place: (system: FileSystem) => void } | undefined {
+function lateLibrary({ base, home, parts }: PythonStart): { readonly address: string; readonly place: (system: FileSystem) => void; } | undefined {
   const path = `${home}python_stdlib.zip`;
   const blob = parts.found.get(path);
   if (blob === undefined || !('FileReaderSync' in globalThis)) return undefined;
@@ -238,8 +261,12 @@ export function failure(error: unknown): ProgramEnd {
  * An image that has imported what the visitor changed is none for this start.
  */
 async function begin(
-  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
-  functions: Record<string, unknown>, broken: () => void,
+  module: WebAssembly.Module,
+  start: PythonStart,
+  host: ProgramHost,
+  files: WorkerFiles,
+  functions: Record<string, unknown>,
+  broken: () => void,
 ): Promise<LoadedPyodide> {
   const home = start.base + start.home;
   const environment = pythonEnvironment(host.environment, host.files.prefix);

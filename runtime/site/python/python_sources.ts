@@ -13,7 +13,7 @@ interface FileNode {
 interface FileSystem {
   readonly mkdirTree: (path: string) => void;
   readonly writeFile: (path: string, bytes: Uint8Array) => void;
-  readonly analyzePath: (path: string) => { readonly object: FileNode | null };
+  readonly analyzePath: (path: string) => { readonly object: FileNode | null; };
 }
 
 /** `read`: called once for each, the first time. */

@@ -82,7 +82,9 @@ export class Interrupts {
  * in another way than Python does, so that nobody goes on any more.
  */
 export function threadFunctions(
-  interrupts: Interrupts, wait: (promise: Promise<void>) => void, died: (error: unknown) => void,
+  interrupts: Interrupts,
+  wait: (promise: Promise<void>) => void,
+  died: (error: unknown) => void,
 ): Record<string, unknown> {
   const parked = new Map<number, () => void>();
   const runStack = async (begin: PyCallable): Promise<void> => {

@@ -30,7 +30,7 @@ function hashOf(bytes: Uint8Array): string {
 function readKept(raw: string): Kept | undefined {
   if (raw.length > 8 * mostOfFile) return undefined;
   try {
-    const json = JSON.parse(raw) as { readonly of?: unknown; readonly text?: unknown } | null;
+    const json = JSON.parse(raw) as { readonly of?: unknown; readonly text?: unknown; } | null;
     if (typeof json?.of !== 'string' || typeof json.text !== 'string' || json.text.length > mostOfFile) return undefined;
     return { raw, of: json.of, text: json.text, sha256: hashOf(new TextEncoder().encode(json.text)) };
   } catch {

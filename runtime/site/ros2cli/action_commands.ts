@@ -45,8 +45,10 @@ export const actionCommands: readonly Command[] = [
     ],
     run: (context, given) => {
       const [action = ''] = given.positionals;
-      const of = (kind: 'actionServers' | 'actionClients'): string[] => context.session.graph().nodes.flatMap((node: GraphNodeView) =>
-        node[kind].filter(({ name }) => name === action).map(({ type }) => `    ${node.name}${has(given, 'show-types') ? ` [${type}]` : ''}`));
+      const of = (kind: 'actionServers' | 'actionClients'): string[] =>
+        context.session.graph().nodes.flatMap((node: GraphNodeView) =>
+          node[kind].filter(({ name }) => name === action).map(({ type }) => `    ${node.name}${has(given, 'show-types') ? ` [${type}]` : ''}`)
+        );
       const [clients, servers] = [of('actionClients'), of('actionServers')];
       const rows = has(given, 'count') ? [[], []] : [clients, servers];
       context.print([`Action: ${action}`, `Action clients: ${clients.length}`, ...rows[0]!, `Action servers: ${servers.length}`, ...rows[1]!].join('\n'));
@@ -57,7 +59,9 @@ export const actionCommands: readonly Command[] = [
     words: ['action', 'send_goal'],
     help: 'Send an action goal',
     positionals: [
-      { name: 'action_name', meaning: 'action' }, { name: 'action_type', meaning: 'action_type' }, { name: 'goal', meaning: 'goal_values' },
+      { name: 'action_name', meaning: 'action' },
+      { name: 'action_type', meaning: 'action_type' },
+      { name: 'goal', meaning: 'goal_values' },
     ],
     options: [{ names: ['--feedback', '-f'], help: 'Echo feedback messages for the goal' }],
     run: async (context, given) => {

@@ -122,7 +122,7 @@ const info: Command = {
   run: async (context, given) => {
     const bag = await opened(context, given, 'info');
     if (bag === undefined) return wrongArguments;
-    if (has(given, 'topic-name')) for (const { topic } of bag.channels) context.print(topic);
+    if (has(given, 'topic-name')) { for (const { topic } of bag.channels) context.print(topic); }
     else context.print(bagInfo(bag));
     return 0;
   },
@@ -139,8 +139,19 @@ const play: Command = {
     { names: ['--exclude-regex', '-x'], value: 'REGEX', help: 'regular expressions to exclude topics from replay.' },
     { names: ['--exclude-topics'], value: 'topic', many: true, help: 'Space-delimited list of topics not to play.' },
     { names: ['--loop', '-l'], help: 'enables loop playback when playing a bagfile' },
-    { names: ['--remap', '-m'], value: 'REMAP', many: true, help: 'list of topics to be remapped: in the form "old_topic1:=new_topic1 old_topic2:=new_topic2 etc."' },
-    { names: ['--clock'], value: 'CLOCK', number: true, alone: '40', help: 'Publish to /clock at a specific frequency in Hz. The /clock topic in the bag file is excluded then.' },
+    {
+      names: ['--remap', '-m'],
+      value: 'REMAP',
+      many: true,
+      help: 'list of topics to be remapped: in the form "old_topic1:=new_topic1 old_topic2:=new_topic2 etc."',
+    },
+    {
+      names: ['--clock'],
+      value: 'CLOCK',
+      number: true,
+      alone: '40',
+      help: 'Publish to /clock at a specific frequency in Hz. The /clock topic in the bag file is excluded then.',
+    },
     { names: ['--delay', '-d'], value: 'DELAY', number: true, help: 'Sleep duration before play, in seconds.' },
     { names: ['--start-offset'], value: 'START_OFFSET', number: true, help: 'Start the playback player this many seconds into the bag file.' },
     { names: ['--playback-duration'], value: 'DURATION', number: true, help: 'Playback duration, in seconds.' },
@@ -154,7 +165,8 @@ const play: Command = {
     const [pattern, excludedPattern] = [patternOf(given, 'regex'), patternOf(given, 'exclude-regex')];
     const [named, excluded] = [listOf(given, 'topics'), listOf(given, 'exclude-topics')];
     const topics = playable(bag).filter((topic) =>
-      (named === undefined && pattern === undefined) || named?.includes(topic) === true || pattern?.test(topic) === true)
+      (named === undefined && pattern === undefined) || named?.includes(topic) === true || pattern?.test(topic) === true
+    )
       .filter((topic) => excluded?.includes(topic) !== true && excludedPattern?.test(topic) !== true);
     const names = new Map((listOf(given, 'remap') ?? []).map((rule) => {
       const [from = '', to = ''] = rule.split(':=');

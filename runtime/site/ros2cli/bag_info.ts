@@ -20,12 +20,20 @@ export function bagInfo(bag: Bag): string {
     `Start:             ${moment(bag.start)}`,
     `End:               ${moment(bag.end)}`,
     `Messages:          ${bag.messages - events}`,
-    `Topic information: ${topics.map(({ topic, type, count, encoding }) =>
-      `Topic: ${topic} | Type: ${type} | Count: ${count} | Serialization Format: ${encoding}`).join(`\n${indent}`)}`,
+    `Topic information: ${
+      topics.map(({ topic, type, count, encoding }) => `Topic: ${topic} | Type: ${type} | Count: ${count} | Serialization Format: ${encoding}`).join(
+        `\n${indent}`,
+      )
+    }`,
     `Service:           ${services.length}`,
-    `Service information: ${services.map(({ topic, type, count, encoding }) =>
-      `Service: ${topic.slice(0, -'/_service_event'.length)} | Type: ${type.slice(0, -'_Event'.length)} | Event Count: ${count} | Serialization Format: ${encoding}`)
-      .join(`\n${indent}  `)}`,
+    `Service information: ${
+      services.map(({ topic, type, count, encoding }) =>
+        `Service: ${topic.slice(0, -'/_service_event'.length)} | Type: ${
+          type.slice(0, -'_Event'.length)
+        } | Event Count: ${count} | Serialization Format: ${encoding}`
+      )
+        .join(`\n${indent}  `)
+    }`,
     '',
   ].join('\n');
 }

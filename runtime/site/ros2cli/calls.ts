@@ -9,7 +9,11 @@ export type Caller = Pick<Context, 'session' | 'codec' | 'signal'>;
 
 /** Calls once; a CommandError says why there is no answer. `request`: fields; bytes are taken as they are. */
 export async function callService(
-  context: Caller, name: string, type: string, request: unknown, timeoutMs = Infinity,
+  context: Caller,
+  name: string,
+  type: string,
+  request: unknown,
+  timeoutMs = Infinity,
 ): Promise<Readonly<Record<string, unknown>>> {
   const codec = await context.codec();
   let bytes: Uint8Array;

@@ -45,9 +45,27 @@ export interface Terminal {
 
 /** The kind of thing that a word of the command line names; completion offers these. */
 export type Meaning =
-  | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
-  | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'launch_package' | 'launch_file'
-  | 'launch_argument' | 'message_values' | 'service_values' | 'goal_values' | 'text';
+  | 'topic'
+  | 'node'
+  | 'service'
+  | 'action'
+  | 'message_type'
+  | 'service_type'
+  | 'action_type'
+  | 'interface'
+  | 'package'
+  | 'parameter'
+  | 'transition'
+  | 'program_package'
+  | 'executable'
+  | 'container'
+  | 'launch_package'
+  | 'launch_file'
+  | 'launch_argument'
+  | 'message_values'
+  | 'service_values'
+  | 'goal_values'
+  | 'text';
 
 export interface Positional {
   /** As the usage shows it. */
@@ -122,10 +140,10 @@ export function numberOf(given: Given, option: string, otherwise: number): numbe
 }
 
 /** Resolves at Ctrl-C, or when `done` is called; `begin` returns what is to be closed then. */
-export function untilDone(signal: AbortSignal, begin: (done: () => void) => readonly { close(): void }[]): Promise<void> {
+export function untilDone(signal: AbortSignal, begin: (done: () => void) => readonly { close(): void; }[]): Promise<void> {
   return new Promise((resolve) => {
     let ended = false;
-    let open: readonly { close(): void }[] = [];
+    let open: readonly { close(): void; }[] = [];
     const done = (): void => {
       ended = true;
       signal.removeEventListener('abort', done);

@@ -18,8 +18,8 @@ export interface Completion {
 
 /** Values that only a node or the definitions can provide: the parameters of a node, a message of a type to begin with. */
 export type Wanted =
-  | { readonly kind: 'parameters'; readonly node: string }
-  | { readonly kind: 'prototype'; readonly type: string };
+  | { readonly kind: 'parameters'; readonly node: string; }
+  | { readonly kind: 'prototype'; readonly type: string; };
 
 export interface Known {
   readonly graph: GraphView;
@@ -28,7 +28,7 @@ export interface Known {
   /** The launch file that `ros2 launch` can start, and its arguments; of a site. */
   readonly launches?: Pick<SiteDescription, 'launchFile' | 'launch'>;
   /** The programs that `ros2 run` can start. */
-  readonly programs: readonly { readonly package: string; readonly executable: string }[];
+  readonly programs: readonly { readonly package: string; readonly executable: string; }[];
   /** The answer to `wanted()`, once it is there. */
   readonly told?: readonly string[];
 }
@@ -106,10 +106,12 @@ function positionalsOf(command: Command, words: readonly string[]): string[] {
   return found;
 }
 
-function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, programs, launches: { launchFile, launch } = {}, told = [] }: Known): readonly string[] {
+function meant(meaning: Meaning, given: readonly string[],
+  { graph, interfaces, programs, launches: { launchFile, launch } = {}, told = [] }: Known): readonly string[]
+{
   const ofKind = (kind: string): string[] => interfaces.filter((name) => name.split('/')[1] === kind);
   /** The type of what was named before, when it is known. */
-  const typeOf = (list: readonly { readonly name: string; readonly types: readonly string[] }[], all: readonly string[]): readonly string[] =>
+  const typeOf = (list: readonly { readonly name: string; readonly types: readonly string[]; }[], all: readonly string[]): readonly string[] =>
     list.find(({ name }) => name === given[0])?.types ?? all;
   switch (meaning) {
     case 'topic':

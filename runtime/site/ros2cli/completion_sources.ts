@@ -18,7 +18,9 @@ export async function tellWanted(session: Session, wanted: Wanted): Promise<read
     }
     const parsed = (await codecOf(session)).types.get(wanted.type);
     if (typeof parsed === 'string') return [];
-    const fields = Object.entries(draftOf(parsed.shape)).map(([name, value]) => `${name}: ${inFlow(value, parsed.shape.find((field) => field.name === name), null)}`);
+    const fields = Object.entries(draftOf(parsed.shape)).map(([name, value]) =>
+      `${name}: ${inFlow(value, parsed.shape.find((field) => field.name === name), null)}`
+    );
     const text = `{${fields.join(', ')}}`;
     // For a shell: where double quotes would mean something, a quote in the text is closed, said and opened again.
     return [/["$`\\]/.test(text) ? `'${text.replaceAll("'", "'\\''")}'` : `"${text}"`];

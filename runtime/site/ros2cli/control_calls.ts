@@ -14,7 +14,7 @@ export interface ControllerState {
   readonly required_state_interfaces: readonly string[];
   readonly exported_state_interfaces: readonly string[];
   readonly reference_interfaces: readonly string[];
-  readonly chain_connections: readonly { readonly name: string; readonly reference_interfaces: readonly string[] }[];
+  readonly chain_connections: readonly { readonly name: string; readonly reference_interfaces: readonly string[]; }[];
 }
 
 export interface HardwareInterface {
@@ -30,7 +30,7 @@ export interface HardwareComponent {
   readonly is_async: boolean;
   readonly rw_rate: number;
   readonly plugin_name: string;
-  readonly state: { readonly id: number; readonly label: string };
+  readonly state: { readonly id: number; readonly label: string; };
   readonly command_interfaces: readonly HardwareInterface[];
   readonly state_interfaces: readonly HardwareInterface[];
 }
@@ -39,7 +39,9 @@ export interface HardwareComponent {
 export const strictness = { default: 0, bestEffort: 1, strict: 2 } as const;
 
 export const managerOption: Option = {
-  names: ['--controller-manager', '-c'], value: 'CONTROLLER_MANAGER', help: 'Name of the controller manager ROS node (default: controller_manager)',
+  names: ['--controller-manager', '-c'],
+  value: 'CONTROLLER_MANAGER',
+  help: 'Name of the controller manager ROS node (default: controller_manager)',
 };
 
 /** The manager's name from the command line, from the root. */
@@ -48,7 +50,9 @@ function managerOf(given: Given): string {
   return name.startsWith('/') ? name : `/${name}`;
 }
 
-export async function askManager(context: Context, given: Given, service: string, type: string, request: unknown = {}): Promise<Readonly<Record<string, unknown>>> {
+export async function askManager(context: Context, given: Given, service: string, type: string,
+  request: unknown = {}): Promise<Readonly<Record<string, unknown>>>
+{
   const name = `${managerOf(given)}/${service}`;
   if (!context.session.graph().nodes.some(({ services }) => services.some((each) => each.name === name))) {
     context.warn(`waiting for service ${name} to become available...`);
@@ -73,7 +77,7 @@ export interface Switch {
   readonly timeoutSeconds: number;
 }
 
-export async function switchControllers(context: Context, given: Given, wanted: Switch): Promise<{ ok: boolean; message: string }> {
+export async function switchControllers(context: Context, given: Given, wanted: Switch): Promise<{ ok: boolean; message: string; }> {
   const sec = Math.floor(wanted.timeoutSeconds);
   const reply = await askManager(context, given, 'switch_controller', 'SwitchController', {
     activate_controllers: wanted.activate ?? [],

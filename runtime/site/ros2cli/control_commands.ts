@@ -15,7 +15,7 @@ function chosenState(text: string): string {
   return text;
 }
 
-function switchOne(context: Context, given: Given, names: { activate?: readonly string[]; deactivate?: readonly string[] }): Promise<{ ok: boolean }> {
+function switchOne(context: Context, given: Given, names: { activate?: readonly string[]; deactivate?: readonly string[]; }): Promise<{ ok: boolean; }> {
   return switchControllers(context, given, { ...names, strictness: strictness.bestEffort, asap: true, timeoutSeconds: 5 });
 }
 
@@ -75,13 +75,14 @@ async function setComponentState(context: Context, given: Given): Promise<number
   const [name, text] = given.positionals as [string, string];
   const label = chosenState(text);
   const reply = await askManager(context, given, 'set_hardware_component_state', 'SetHardwareComponentState', {
-    name, target_state: { id: stateIds.get(label), label },
+    name,
+    target_state: { id: stateIds.get(label), label },
   });
   if (reply['ok'] !== true) {
     const action = label === 'unconfigured' ? 'cleaning up' : label === 'inactive' ? 'stopping' : 'activating';
     throw new CommandError(`Error ${action} hardware component, check controller_manager logs`);
   }
-  const { id, label: now } = reply['state'] as { id: number; label: string };
+  const { id, label: now } = reply['state'] as { id: number; label: string; };
   context.print(`Successfully set ${name} to state lifecycle_msgs.msg.State(id=${id}, label='${now}')`);
   return 0;
 }

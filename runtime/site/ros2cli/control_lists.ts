@@ -46,7 +46,9 @@ function printComponent(context: Context, given: Given, one: HardwareComponent, 
     '\tcommand interfaces',
     ...one.command_interfaces.map((each) => `\t\t${each.name}${typeOf(given, each)} ${availability(each)}`),
     ...(has(given, 'verbose') ? ['\tstate interfaces'] : []),
-    ...(has(given, 'verbose') ? one.state_interfaces.map((each) => `\t\t${each.name} [${each.data_type}] [${each.is_available ? 'available' : 'unavailable'}]`) : []),
+    ...(has(given, 'verbose')
+      ? one.state_interfaces.map((each) => `\t\t${each.name} [${each.data_type}] [${each.is_available ? 'available' : 'unavailable'}]`)
+      : []),
   ].join('\n'));
 }
 
@@ -73,7 +75,8 @@ export const controlLists: readonly Command[] = [
         context.print('No controllers are currently loaded!');
         return 0;
       }
-      const [names, types, states] = [width(controllers.map(({ name }) => name)), width(controllers.map(({ type }) => type)), width(controllers.map(({ state }) => state))];
+      const [names, types, states] = [width(controllers.map(({ name }) => name)), width(controllers.map(({ type }) => type)),
+        width(controllers.map(({ state }) => state))];
       for (const one of controllers) {
         context.print(`${one.name.padEnd(names)} ${one.type.padEnd(types)}  ${one.state.padEnd(states)}`);
         printDetails(context, given, one);

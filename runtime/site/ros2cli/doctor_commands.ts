@@ -33,7 +33,7 @@ const warning = (text: string): Finding => ({ failing: false, text });
 /** Every node has these for itself. */
 const needNobody = ['/parameter_events', '/rosout'];
 
-function countsOf(session: Session): readonly { readonly name: string; readonly publishers: number; readonly subscriptions: number }[] {
+function countsOf(session: Session): readonly { readonly name: string; readonly publishers: number; readonly subscriptions: number; }[] {
   const graph = session.graph();
   return topicsOf(graph).filter(({ name }) => !needNobody.includes(name)).map(({ name }) => ({
     name,
@@ -62,7 +62,9 @@ function pairsOf(session: Session): readonly Pair[] {
         publisher: nameOf(from.node.name),
         subscription: nameOf(to.node.name),
         reason: misfitReason(from.endpoint.qos, to.endpoint.qos),
-      }))));
+      }))
+    )
+  );
 }
 
 /** All that stands between the two, in rmw's words; empty: they fit. */
@@ -99,7 +101,14 @@ function stateText(state: NodeState): string {
 const checks: readonly Check[] = [
   {
     category: 'network',
-    look: ({ link }) => link === 'shared' ? [] : [warning('Nodes reach each other through message ports, which are slower than shared memory: the page is not cross-origin isolated, or they were asked for.')],
+    look: ({ link }) =>
+      link === 'shared'
+        ? []
+        : [
+          warning(
+            'Nodes reach each other through message ports, which are slower than shared memory: the page is not cross-origin isolated, or they were asked for.',
+          ),
+        ],
   },
   {
     category: 'node',
@@ -108,22 +117,32 @@ const checks: readonly Check[] = [
       const shared = [...new Set(names.filter((name, at) => names.indexOf(name) !== at))];
       return [
         ...session.nodes().flatMap(({ id, state }) =>
-          state.kind === 'crashed' ? [error(`Node ${id} has ${stateText(state)}`)]
-          : state.kind === 'exited' && state.code !== 0 ? [warning(`Node ${id} has ${stateText(state)}.`)] : []),
+          state.kind === 'crashed'
+            ? [error(`Node ${id} has ${stateText(state)}`)]
+            : state.kind === 'exited' && state.code !== 0
+            ? [warning(`Node ${id} has ${stateText(state)}.`)]
+            : []
+        ),
         ...shared.map((name) => warning(`Several nodes have the name ${name}.`)),
       ];
     },
   },
   {
     category: 'middleware',
-    look: (session) => pairsOf(session).filter(({ reason }) => reason !== '')
-      .map(({ topic, reason }) => error(`QoS compatibility error found on topic '${topic}': ${reason.replace(/^ERROR: /, '')}`)),
+    look: (session) =>
+      pairsOf(session).filter(({ reason }) => reason !== '')
+        .map(({ topic, reason }) => error(`QoS compatibility error found on topic '${topic}': ${reason.replace(/^ERROR: /, '')}`)),
   },
   {
     category: 'topic',
-    look: (session) => countsOf(session).flatMap(({ name, publishers, subscriptions }) =>
-      publishers > 0 && subscriptions === 0 ? [warning(`Publisher without subscriber detected on ${name}.`)]
-      : subscriptions > 0 && publishers === 0 ? [warning(`Subscriber without publisher detected on ${name}.`)] : []),
+    look: (session) =>
+      countsOf(session).flatMap(({ name, publishers, subscriptions }) =>
+        publishers > 0 && subscriptions === 0
+          ? [warning(`Publisher without subscriber detected on ${name}.`)]
+          : subscriptions > 0 && publishers === 0
+          ? [warning(`Subscriber without publisher detected on ${name}.`)]
+          : []
+      ),
   },
 ];
 
@@ -131,7 +150,9 @@ const reports: readonly Report[] = [
   {
     category: 'network',
     title: 'NETWORK CONFIGURATION',
-    rows: ({ link }) => [['device', `none: a site has no network, its nodes reach each other ${link === 'shared' ? 'in shared memory' : 'through message ports'}`]],
+    rows: (
+      { link },
+    ) => [['device', `none: a site has no network, its nodes reach each other ${link === 'shared' ? 'in shared memory' : 'through message ports'}`]],
   },
   {
     category: 'node',
@@ -187,8 +208,9 @@ const reports: readonly Report[] = [
     rows: (session) => {
       const topics = countsOf(session);
       const listed = topics.length === 0 ? [{ name: 'none', publishers: 0, subscriptions: 0 }] : topics;
-      return listed.flatMap(({ name, publishers, subscriptions }): Row[] =>
-        [['topic', name], ['publisher count', String(publishers)], ['subscriber count', String(subscriptions)]]);
+      return listed.flatMap((
+        { name, publishers, subscriptions },
+      ): Row[] => [['topic', name], ['publisher count', String(publishers)], ['subscriber count', String(subscriptions)]]);
     },
   },
 ];
@@ -224,9 +246,10 @@ function doctor(name: string): Command {
           if (failing || has(given, 'include-warnings')) failed.add(category);
         }
       }
-      context.print(failed.size === 0 ? `\nAll ${checks.length} checks passed\n`
+      context.print(failed.size === 0
+        ? `\nAll ${checks.length} checks passed\n`
         : `\n${failed.size}/${checks.length} check(s) failed\n\nFailed modules: ${[...failed].join(' ')}`);
-      if (has(given, 'report-failed')) for (const report of wanted.filter(({ category }) => failed.has(category))) printReport(context, report);
+      if (has(given, 'report-failed')) { for (const report of wanted.filter(({ category }) => failed.has(category))) printReport(context, report); }
       return Promise.resolve(0);
     },
   };

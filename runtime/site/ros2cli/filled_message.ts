@@ -43,13 +43,15 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 }
 
-export function stampOf(ms: number): { readonly sec: number; readonly nanosec: number } {
+export function stampOf(ms: number): { readonly sec: number; readonly nanosec: number; } {
   const sec = Math.floor(ms / 1000);
   return { sec, nanosec: Math.min(999_999_999, Math.max(0, Math.round((ms - sec * 1000) * 1e6))) };
 }
 
 /** A message's value, or what is wrong with its bytes. */
-export async function decoded(context: Pick<Context, 'codec'>, type: string, bytes: Uint8Array): Promise<{ readonly value: Readonly<Record<string, unknown>>; readonly shape: Shape }> {
+export async function decoded(context: Pick<Context, 'codec'>, type: string,
+  bytes: Uint8Array): Promise<{ readonly value: Readonly<Record<string, unknown>>; readonly shape: Shape; }>
+{
   const result = (await context.codec()).decode(type, bytes);
   if (result.kind === 'failed') throw new CommandError(result.reason);
   return { value: result.value as Readonly<Record<string, unknown>>, shape: result.shape };

@@ -9,8 +9,9 @@ import { compared, item, kindOf, numeric, reckon, truth } from './filter_values.
 
 type Evaluation = (message: unknown) => unknown;
 
-const kDeepest = 100;
-const kToken = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|("(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')|([A-Za-z_]\w*)|(\*\*|\/\/|<=|>=|==|!=|[-+*/%<>()[\],.]))/iy;
+const DEEPEST = 100;
+const TOKEN =
+  /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|("(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')|([A-Za-z_]\w*)|(\*\*|\/\/|<=|>=|==|!=|[-+*/%<>()[\],.]))/iy;
 
 interface Token {
   readonly kind: 'number' | 'text' | 'name' | 'sign' | 'end';
@@ -33,11 +34,11 @@ export function filterOf(text: string): (message: unknown) => boolean {
 
 function tokensOf(text: string): readonly Token[] {
   const tokens: Token[] = [];
-  kToken.lastIndex = 0;
+  TOKEN.lastIndex = 0;
   const { length } = text.trimEnd();
-  while (kToken.lastIndex < length) {
-    const from = kToken.lastIndex;
-    const match = kToken.exec(text);
+  while (TOKEN.lastIndex < length) {
+    const from = TOKEN.lastIndex;
+    const match = TOKEN.exec(text);
     if (match === null) throw new CommandError(`SyntaxError: invalid syntax at '${text.slice(from, from + 20).trim()}'`);
     const kind = match[1] !== undefined ? 'number' : match[2] !== undefined ? 'text' : match[3] !== undefined ? 'name' : 'sign';
     tokens.push({ kind, text: match[0].trim() });
@@ -84,7 +85,7 @@ class Parser {
   /** Parses what is nested: parentheses, and what stands to the right of `else` and `**`. */
   private deeper(parse: () => Evaluation): Evaluation {
     this.depth += 1;
-    if (this.depth > kDeepest) throw new CommandError('SyntaxError: too many nested parentheses');
+    if (this.depth > DEEPEST) throw new CommandError('SyntaxError: too many nested parentheses');
     const parsed = parse();
     this.depth -= 1;
     return parsed;
@@ -134,7 +135,7 @@ class Parser {
 
   private comparison(): Evaluation {
     const first = this.sum();
-    const rest: { readonly sign: string; readonly value: Evaluation }[] = [];
+    const rest: { readonly sign: string; readonly value: Evaluation; }[] = [];
     for (;;) {
       let sign = this.take('<', '>', '<=', '>=', '==', '!=', 'in', 'is', 'not');
       if (sign === undefined) break;
@@ -225,7 +226,7 @@ class Parser {
     }
     if (kind === 'text') {
       this.at += 1;
-      const value = text.slice(1, -1).replace(kEscape, unescaped);
+      const value = text.slice(1, -1).replace(ESCAPE, unescaped);
       return () => value;
     }
     if (this.take('(') !== undefined) {
@@ -237,10 +238,10 @@ class Parser {
       const items = this.list(']');
       return (m) => items.map((one) => one(m));
     }
-    if (kind !== 'name' || kWords.has(text)) throw this.wrong();
+    if (kind !== 'name' || WORDS.has(text)) throw this.wrong();
     this.at += 1;
     if (text === 'm') return (m) => m;
-    if (kConstants.has(text)) return () => kConstants.get(text);
+    if (CONSTANTS.has(text)) return () => CONSTANTS.get(text);
     const call = filterFunctions.get(text);
     if (call === undefined) throw new CommandError(`NameError: name '${text}' is not defined`);
     this.expect('(');
@@ -249,8 +250,8 @@ class Parser {
   }
 }
 
-const kWords: ReadonlySet<string> = new Set(['and', 'or', 'not', 'in', 'is', 'if', 'else', 'for', 'lambda']);
-const kConstants: ReadonlyMap<string, unknown> = new Map<string, unknown>([['True', true], ['False', false], ['None', null]]);
+const WORDS: ReadonlySet<string> = new Set(['and', 'or', 'not', 'in', 'is', 'if', 'else', 'for', 'lambda']);
+const CONSTANTS: ReadonlyMap<string, unknown> = new Map<string, unknown>([['True', true], ['False', false], ['None', null]]);
 
 function method(value: unknown, name: string, given: readonly unknown[]): unknown {
   const call = typeof value === 'string' ? filterMethods.get(name) : undefined;
@@ -267,9 +268,20 @@ function between(sign: string, left: Evaluation, right: Evaluation): Evaluation 
   return (m) => reckon(sign, left(m), right(m));
 }
 
-const kEscape = /\\(\r?\n|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[0-7]{1,3}|[^])/g;
-const kLetters: Readonly<Record<string, string>> = {
-  a: '\x07', b: '\b', f: '\f', n: '\n', r: '\r', t: '\t', v: '\v', '\\': '\\', "'": "'", '"': '"', '\n': '', '\r\n': '',
+const ESCAPE = /\\(\r?\n|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[0-7]{1,3}|[^])/g;
+const LETTERS: Readonly<Record<string, string>> = {
+  a: '\x07',
+  b: '\b',
+  f: '\f',
+  n: '\n',
+  r: '\r',
+  t: '\t',
+  v: '\v',
+  '\\': '\\',
+  "'": "'",
+  '"': '"',
+  '\n': '',
+  '\r\n': '',
 };
 
 /** As Python reads them: an unknown one keeps its backslash. */
@@ -279,7 +291,7 @@ function unescaped(whole: string, escape: string): string {
   if (!isNumber && 'xuU'.includes(kind)) throw new CommandError(`SyntaxError: truncated \\${kind} escape`);
   if (kind === 'N') throw new CommandError('SyntaxError: names of characters (\\N) are not known here');
   const code = isNumber ? Number.parseInt(escape.slice(1), 16) : /^[0-7]/.test(escape) ? Number.parseInt(escape, 8) : undefined;
-  if (code === undefined) return kLetters[escape] ?? whole;
+  if (code === undefined) return LETTERS[escape] ?? whole;
   if (code > 0x10ffff) throw new CommandError('SyntaxError: illegal Unicode character');
   return String.fromCodePoint(code);
 }

@@ -9,7 +9,7 @@ export interface Named {
   readonly types: readonly string[];
 }
 
-export function named(list: Iterable<{ readonly name: string; readonly type: string }>): Named[] {
+export function named(list: Iterable<{ readonly name: string; readonly type: string; }>): Named[] {
   const found = new Map<string, Set<string>>();
   for (const { name, type } of list) {
     const types = found.get(name);
@@ -35,8 +35,9 @@ const ofContainers = ['load_node', 'unload_node', 'list_nodes'];
 
 /** Full names of the nodes that take components. */
 export function containersOf(graph: GraphView): string[] {
-  return graph.nodes.filter(({ services }) =>
-    ofContainers.every((verb) => services.some(({ name }) => name.endsWith(`_container/${verb}`)))).map(({ name }) => name).sort();
+  return graph.nodes.filter(({ services }) => ofContainers.every((verb) => services.some(({ name }) => name.endsWith(`_container/${verb}`)))).map(({ name }) =>
+    name
+  ).sort();
 }
 
 export interface OfNode {
@@ -46,12 +47,14 @@ export interface OfNode {
 
 /** All endpoints of one kind that bear the name. */
 export function endpointsOf(
-  graph: GraphView, kind: 'publishers' | 'subscriptions' | 'services' | 'clients', name: string,
+  graph: GraphView,
+  kind: 'publishers' | 'subscriptions' | 'services' | 'clients',
+  name: string,
 ): OfNode[] {
   return graph.nodes.flatMap((node) => node[kind].filter((endpoint) => endpoint.name === name).map((endpoint) => ({ node, endpoint })));
 }
 
-export function shown<T extends { readonly name: string }>(list: readonly T[], hiddenToo: boolean): T[] {
+export function shown<T extends { readonly name: string; }>(list: readonly T[], hiddenToo: boolean): T[] {
   return hiddenToo ? [...list] : list.filter(({ name }) => !isHiddenName(name));
 }
 

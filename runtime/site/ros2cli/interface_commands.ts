@@ -90,7 +90,12 @@ const deepest = 32;
 
 /** The lines of a definition, and below each field of another type those of that type, one tab further in. */
 function showLines(
-  interfaces: ReadonlyMap<string, string>, type: string, comments: 'all' | 'none', inner: 'all' | 'none', indent: string, depth: number,
+  interfaces: ReadonlyMap<string, string>,
+  type: string,
+  comments: 'all' | 'none',
+  inner: 'all' | 'none',
+  indent: string,
+  depth: number,
 ): string[] {
   const lines: string[] = [];
   for (const line of (interfaces.get(type) ?? '').replace(/\n$/, '').split('\n')) {

@@ -50,13 +50,14 @@ export const launchCommand: Command = {
   words: ['launch'],
   help: 'Run a launch file',
   positionals: [
-    { name: 'package_name', meaning: 'launch_package' }, { name: 'launch_file_name', meaning: 'launch_file', optional: true },
+    { name: 'package_name', meaning: 'launch_package' },
+    { name: 'launch_file_name', meaning: 'launch_file', optional: true },
     { name: 'launch_arguments', meaning: 'launch_argument', optional: true, many: true },
   ],
   options: [
     { names: ['--noninteractive', '-n'], help: 'Run the launch system non-interactively, with no terminal associated' },
     { names: ['--show-args', '--show-arguments', '-s'], help: 'Show arguments that may be given to the launch file.' },
-    { names: ['--show-all-subprocesses-output', '-a'], help: 'Show all launched subprocesses\' output by overriding their output configuration' },
+    { names: ['--show-all-subprocesses-output', '-a'], help: "Show all launched subprocesses' output by overriding their output configuration" },
   ],
   startsNodes: true,
   run: async (context, given) => {

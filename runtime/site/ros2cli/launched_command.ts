@@ -35,22 +35,23 @@ export function launchedCommands(own: Own): CommandLoader {
   return async (session) => {
     // Once they are there nothing else is waited for than what the command asks of the site.
     await Promise.all([codecOf(session), yamlReader()]);
-    return ({ words, print, warn, file, signal }) => runCommand(session, words, {
-      signal,
-      print,
-      warn,
-      takeInput: () => undefined,
-      readText: async (name) => {
-        const path = pathInSite(session, name, ['']);
-        return path === undefined ? await own.readText(name) : new TextDecoder().decode(await file(path));
-      },
-      bags: {
-        open: async (name) => {
-          const path = pathInSite(session, name, ['', '.mcap']) ?? recordingIn(session, name);
-          return path === undefined ? await own.bags.open(name) : await bagOf(path, file);
+    return ({ words, print, warn, file, signal }) =>
+      runCommand(session, words, {
+        signal,
+        print,
+        warn,
+        takeInput: () => undefined,
+        readText: async (name) => {
+          const path = pathInSite(session, name, ['']);
+          return path === undefined ? await own.readText(name) : new TextDecoder().decode(await file(path));
         },
-        create: (name) => own.bags.create(name),
-      },
-    });
+        bags: {
+          open: async (name) => {
+            const path = pathInSite(session, name, ['', '.mcap']) ?? recordingIn(session, name);
+            return path === undefined ? await own.bags.open(name) : await bagOf(path, file);
+          },
+          create: (name) => own.bags.create(name),
+        },
+      });
   };
 }

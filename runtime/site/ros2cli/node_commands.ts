@@ -33,7 +33,7 @@ export const nodeCommands: readonly Command[] = [
       const node = findNode(context.session.graph(), given.positionals[0]!);
       if (node === undefined) throw new CommandError(`Unable to find node '${given.positionals[0]}'`);
       const hidden = has(given, 'include-hidden');
-      const list = (title: string, of: readonly { readonly name: string; readonly type: string }[]): string => {
+      const list = (title: string, of: readonly { readonly name: string; readonly type: string; }[]): string => {
         const rows = named(of.filter(({ name }) => hidden || !isHiddenName(name))).map(({ name, types }) => `    ${name}: ${types.join(', ')}`);
         return [`  ${title}:`, ...(rows.length === 0 ? [''] : rows)].join('\n');
       };

@@ -40,7 +40,7 @@ async function ask(caller: Caller, of: string, service: string, type: string, re
 /** `of`: the node's full name. Sorted. */
 export async function namesOf(caller: Caller, of: string): Promise<string[]> {
   const { result } = await ask(caller, of, 'list_parameters', 'ListParameters', {});
-  return [...(result as { readonly names: readonly string[] }).names].sort();
+  return [...(result as { readonly names: readonly string[]; }).names].sort();
 }
 
 export async function valuesOf(caller: Caller, of: string, names: readonly string[]): Promise<readonly ParameterValue[]> {
@@ -55,7 +55,9 @@ export async function descriptorsOf(caller: Caller, of: string, names: readonly 
 
 /** One after the other; a result each. */
 export async function setValues(
-  caller: Caller, of: string, parameters: readonly { readonly name: string; readonly value: ParameterValue }[],
+  caller: Caller,
+  of: string,
+  parameters: readonly { readonly name: string; readonly value: ParameterValue; }[],
 ): Promise<readonly SetResult[]> {
   const { results } = await ask(caller, of, 'set_parameters', 'SetParameters', { parameters });
   const told = results as readonly SetResult[];

@@ -36,9 +36,9 @@ export function splitLine(line: string, valueOf?: (name: string) => string): str
 }
 
 export type Parsed =
-  | { readonly kind: 'run'; readonly command: Command; readonly given: Given }
-  | { readonly kind: 'help'; readonly text: string }
-  | { readonly kind: 'wrong'; readonly text: string };
+  | { readonly kind: 'run'; readonly command: Command; readonly given: Given; }
+  | { readonly kind: 'help'; readonly text: string; }
+  | { readonly kind: 'wrong'; readonly text: string; };
 
 /** `words` begin after `ros2`. */
 export function parseCommand(table: readonly Command[], words: readonly string[]): Parsed {
@@ -52,7 +52,13 @@ export function parseCommand(table: readonly Command[], words: readonly string[]
   if (single !== undefined) return parseWords(single, words.slice(1));
   if (verb === undefined || isHelp(verb)) return { kind: 'help', text: groupHelp(group, own) };
   const command = own.find((each) => each.words[1] === verb);
-  if (command === undefined) return { kind: 'wrong', text: `usage: ros2 ${group} [-h] <command> ...\nros2 ${group}: error: invalid choice: '${verb}' (choose from ${own.map(({ words: [, name] }) => `'${name}'`).join(', ')})` };
+  if (command === undefined)
+    return {
+      kind: 'wrong',
+      text: `usage: ros2 ${group} [-h] <command> ...\nros2 ${group}: error: invalid choice: '${verb}' (choose from ${
+        own.map(({ words: [, name] }) => `'${name}'`).join(', ')
+      })`,
+    };
   return parseWords(command, words.slice(2));
 }
 
@@ -137,7 +143,8 @@ function valueOf({ value, many, alone }: Option): string {
 function usage(command: Command): string {
   const options = command.options.map((option) => `[${option.names[0]}${valueOf(option)}]`);
   const positionals = command.positionals.map(({ name, optional, many, rest }) =>
-    rest === true ? '...' : many === true ? `[${name} ...]` : optional === true ? `[${name}]` : name);
+    rest === true ? '...' : many === true ? `[${name} ...]` : optional === true ? `[${name}]` : name
+  );
   return ['usage: ros2', ...command.words, '[-h]', ...options, ...positionals].join(' ');
 }
 

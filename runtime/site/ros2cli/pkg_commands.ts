@@ -53,7 +53,9 @@ export const pkgCommands: readonly Command[] = [
     options: [{ names: ['--tag', '-t'], value: 'TAG', help: 'The XML tag to output, e.g. version' }],
     run: (context, given) => {
       const name = known(context, given.positionals[0]!);
-      throw new CommandError(`The package.xml of '${name}' is not in this site: of a package a site has what its nodes read. The workspace and the channel have it.`);
+      throw new CommandError(
+        `The package.xml of '${name}' is not in this site: of a package a site has what its nodes read. The workspace and the channel have it.`,
+      );
     },
   },
 ];

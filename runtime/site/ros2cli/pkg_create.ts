@@ -42,13 +42,21 @@ function escaped(text: string): string {
 
 function manifest({ name, kind, description, license, maintainer, email, dependencies }: NewPackage): string {
   const lines = [
-    '<?xml version="1.0"?>', '<package format="3">', `  <name>${name}</name>`, '  <version>0.0.0</version>',
-    `  <description>${escaped(description)}</description>`, `  <maintainer email="${escaped(email)}">${escaped(maintainer)}</maintainer>`,
-    `  <license>${escaped(license)}</license>`, '',
+    '<?xml version="1.0"?>',
+    '<package format="3">',
+    `  <name>${name}</name>`,
+    '  <version>0.0.0</version>',
+    `  <description>${escaped(description)}</description>`,
+    `  <maintainer email="${escaped(email)}">${escaped(maintainer)}</maintainer>`,
+    `  <license>${escaped(license)}</license>`,
+    '',
     ...(kind === 'ament_cmake' ? ['  <buildtool_depend>ament_cmake</buildtool_depend>', ''] : []),
     ...dependencies.map((dependency) => `  <depend>${escaped(dependency)}</depend>`),
     ...(dependencies.length > 0 ? [''] : []),
-    '  <export>', `    <build_type>${kind}</build_type>`, '  </export>', '</package>',
+    '  <export>',
+    `    <build_type>${kind}</build_type>`,
+    '  </export>',
+    '</package>',
   ];
   return `${lines.join('\n')}\n`;
 }
@@ -84,7 +92,11 @@ function cmakeLists({ name, kind, node, dependencies }: NewPackage): string {
   const found = [...(kind === 'ament_cmake' ? ['ament_cmake'] : []), ...dependencies];
   const program = node === undefined ? '' : `
 add_executable(${node} src/${node}.cpp)
-${kind === 'ament_cmake' && dependencies.length > 0 ? `ament_target_dependencies(${node} ${dependencies.join(' ')})\n` : ''}install(TARGETS ${node} DESTINATION lib/\${PROJECT_NAME})
+${
+    kind === 'ament_cmake' && dependencies.length > 0
+      ? `ament_target_dependencies(${node} ${dependencies.join(' ')})\n`
+      : ''
+  }install(TARGETS ${node} DESTINATION lib/\${PROJECT_NAME})
 `;
   return `cmake_minimum_required(VERSION 3.8)
 project(${name})
@@ -103,12 +115,16 @@ function filesOf(made: NewPackage): readonly (readonly [path: string, text: stri
       ['setup.cfg', `[develop]\nscript_dir=$base/lib/${name}\n[install]\ninstall_scripts=$base/lib/${name}\n`],
       [`resource/${name}`, ''],
       [`${name}/__init__.py`, ''],
-      ...(node === undefined ? [] : [[`${name}/${node}.py`, `def main():\n    print('Hi from ${name}.')\n\n\nif __name__ == '__main__':\n    main()\n`] as const]),
+      ...(node === undefined
+        ? []
+        : [[`${name}/${node}.py`, `def main():\n    print('Hi from ${name}.')\n\n\nif __name__ == '__main__':\n    main()\n`] as const]),
     ];
   }
   return [
     ['package.xml', manifest(made)],
-    ...(node === undefined ? [] : [[`src/${node}.cpp`, `#include <cstdio>\n\nint main()\n{\n  std::printf("hello world ${name} package\\n");\n  return 0;\n}\n`] as const]),
+    ...(node === undefined
+      ? []
+      : [[`src/${node}.cpp`, `#include <cstdio>\n\nint main()\n{\n  std::printf("hello world ${name} package\\n");\n  return 0;\n}\n`] as const]),
     ['CMakeLists.txt', cmakeLists(made)],
   ];
 }
@@ -118,12 +134,21 @@ function make(context: Context, given: Given, files: NewFiles): number {
   if (made.node !== undefined && !/^[A-Za-z_]\w*$/.test(made.node)) throw new CommandError(`The node name '${made.node}' is not valid`);
   const below = given.options.get('destination-directory') ?? '.';
   const folder = `${below}/${made.name}`;
-  if (files.exists(folder)) throw new CommandError(`Aborted!\nThe directory already exists: ${folder}\nEither remove the directory or choose a different destination directory or package name.`);
+  if (files.exists(folder))
+    throw new CommandError(
+      `Aborted!\nThe directory already exists: ${folder}\nEither remove the directory or choose a different destination directory or package name.`,
+    );
   context.print('going to create a new package');
   const facts: readonly (readonly [string, string])[] = [
-    ['package name', made.name], ['destination directory', files.whole(below)], ['package format', '3'], ['version', '0.0.0'],
-    ['description', made.description], ['maintainer', `['${made.maintainer} <${made.email}>']`], ['licenses', `['${made.license}']`],
-    ['build type', made.kind], ['dependencies', `[${made.dependencies.map((one) => `'${one}'`).join(', ')}]`],
+    ['package name', made.name],
+    ['destination directory', files.whole(below)],
+    ['package format', '3'],
+    ['version', '0.0.0'],
+    ['description', made.description],
+    ['maintainer', `['${made.maintainer} <${made.email}>']`],
+    ['licenses', `['${made.license}']`],
+    ['build type', made.kind],
+    ['dependencies', `[${made.dependencies.map((one) => `'${one}'`).join(', ')}]`],
     ...(made.node === undefined ? [] : [['node_name', made.node] as const]),
   ];
   for (const [name, value] of facts) context.print(`${name}: ${value}`);
@@ -132,7 +157,9 @@ function make(context: Context, given: Given, files: NewFiles): number {
     if (!files.write(`${folder}/${path}`, text)) throw new CommandError(`${folder}/${path}: there is not enough room`);
     context.print(`creating ${folder}/${path}`);
   }
-  context.warn(`${made.name} is in this page only, until it is closed. The site runs the packages that it was packed with: to run this one, put it into the workspace and pack that.`);
+  context.warn(
+    `${made.name} is in this page only, until it is closed. The site runs the packages that it was packed with: to run this one, put it into the workspace and pack that.`,
+  );
   return 0;
 }
 

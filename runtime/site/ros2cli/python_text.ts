@@ -62,7 +62,12 @@ export function reprText(text: string): string {
     else if (c === '\r') out += '\\r';
     else if (c === '\t') out += '\\t';
     else if (code < 32 || code === 127) out += `\\x${code.toString(16).padStart(2, '0')}`;
-    else if (/[\p{C}\p{Zl}\p{Zp}]|[^\S ]/u.test(c)) out += code < 256 ? `\\x${code.toString(16)}` : code < 65536 ? `\\u${code.toString(16).padStart(4, '0')}` : `\\U${code.toString(16).padStart(8, '0')}`;
+    else if (/[\p{C}\p{Zl}\p{Zp}]|[^\S ]/u.test(c))
+      out += code < 256
+        ? `\\x${code.toString(16)}`
+        : code < 65536
+        ? `\\u${code.toString(16).padStart(4, '0')}`
+        : `\\U${code.toString(16).padStart(8, '0')}`;
     else out += c;
   }
   return `${quote}${out}${quote}`;

@@ -10,7 +10,8 @@ export const runCommand: Command = {
   words: ['run'],
   help: 'Run a package specific executable',
   positionals: [
-    { name: 'package_name', meaning: 'program_package' }, { name: 'executable_name', meaning: 'executable' },
+    { name: 'package_name', meaning: 'program_package' },
+    { name: 'executable_name', meaning: 'executable' },
     { name: 'argv', meaning: 'text', rest: true },
   ],
   options: [],

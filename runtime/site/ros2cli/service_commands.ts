@@ -43,7 +43,9 @@ export const serviceCommands: readonly Command[] = [
     positionals: [{ name: 'service_type', meaning: 'service_type' }],
     options: [{ names: ['--count-services', '-c'], help: 'Only display the number of services discovered' }, hidden],
     run: (context, given) => {
-      const found = shown(servicesOf(context.session.graph()), has(given, 'include-hidden-services')).filter(({ types }) => types.includes(given.positionals[0]!));
+      const found = shown(servicesOf(context.session.graph()), has(given, 'include-hidden-services')).filter(({ types }) =>
+        types.includes(given.positionals[0]!)
+      );
       if (has(given, 'count-services')) context.print(String(found.length));
       else for (const { name } of found) context.print(name);
       return Promise.resolve(0);
@@ -68,7 +70,9 @@ export const serviceCommands: readonly Command[] = [
     words: ['service', 'call'],
     help: 'Call a service',
     positionals: [
-      { name: 'service_name', meaning: 'service' }, { name: 'service_type', meaning: 'service_type' }, { name: 'values', meaning: 'service_values', optional: true },
+      { name: 'service_name', meaning: 'service' },
+      { name: 'service_type', meaning: 'service_type' },
+      { name: 'values', meaning: 'service_values', optional: true },
     ],
     options: [{ names: ['--rate', '-r'], value: 'N', number: true, help: 'Repeat the call at a specific rate in Hz' }],
     run: async (context, given) => {

@@ -5,35 +5,39 @@ import { join } from 'node:path';
 import { type BagPlace, CommandError } from './command.ts';
 
 export const bagFiles: BagPlace = {
-  open: (given) => Promise.resolve().then(() => {
-    const name = bagFileOf(given);
-    // Opening a pipe would wait for who writes into it.
-    const file = opened(name, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0), 'ENOENT');
-    if (file === undefined) return undefined;
-    if (!fstatSync(file).isFile()) {
-      closeSync(file);
-      return undefined;
-    }
-    return {
-      name, size: fstatSync(file).size,
-      read: (from: number, length: number) => Promise.resolve().then(() => {
-        const bytes = new Uint8Array(Math.max(0, Math.min(length, fstatSync(file).size - from)));
-        let at = 0;
-        for (let got = 1; at < bytes.length && got > 0; at += got) got = readSync(file, bytes, at, bytes.length - at, from + at);
-        return bytes.subarray(0, at);
-      }),
-    };
-  }),
-  create: (name) => Promise.resolve().then(() => {
-    const file = opened(name, 'wx', 'EEXIST');
-    if (file === undefined) return undefined;
-    return {
-      write: (bytes: Uint8Array) => {
-        for (let at = 0; at < bytes.length;) at += writeSync(file, bytes, at);
-      },
-      end: () => closeSync(file),
-    };
-  }),
+  open: (given) =>
+    Promise.resolve().then(() => {
+      const name = bagFileOf(given);
+      // Opening a pipe would wait for who writes into it.
+      const file = opened(name, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0), 'ENOENT');
+      if (file === undefined) return undefined;
+      if (!fstatSync(file).isFile()) {
+        closeSync(file);
+        return undefined;
+      }
+      return {
+        name,
+        size: fstatSync(file).size,
+        read: (from: number, length: number) =>
+          Promise.resolve().then(() => {
+            const bytes = new Uint8Array(Math.max(0, Math.min(length, fstatSync(file).size - from)));
+            let at = 0;
+            for (let got = 1; at < bytes.length && got > 0; at += got) got = readSync(file, bytes, at, bytes.length - at, from + at);
+            return bytes.subarray(0, at);
+          }),
+      };
+    }),
+  create: (name) =>
+    Promise.resolve().then(() => {
+      const file = opened(name, 'wx', 'EEXIST');
+      if (file === undefined) return undefined;
+      return {
+        write: (bytes: Uint8Array) => {
+          for (let at = 0; at < bytes.length;) at += writeSync(file, bytes, at);
+        },
+        end: () => closeSync(file),
+      };
+    }),
 };
 
 /** The file that is meant: of a folder as rosbag2 makes it, the one that lies beside its metadata. */

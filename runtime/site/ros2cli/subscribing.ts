@@ -6,7 +6,12 @@ import { type Context, CommandError, type Given, type Option } from './command.t
 import { endpointsOf, topicsOf } from './graph_lists.ts';
 
 export const qosOptions: readonly Option[] = [
-  { names: ['--qos-profile'], value: 'PROFILE', choices: ['default', 'sensor_data', 'services_default', 'parameters', 'parameter_events', 'system_default'], help: 'Quality of service preset profile' },
+  {
+    names: ['--qos-profile'],
+    value: 'PROFILE',
+    choices: ['default', 'sensor_data', 'services_default', 'parameters', 'parameter_events', 'system_default'],
+    help: 'Quality of service preset profile',
+  },
   { names: ['--qos-depth'], value: 'N', number: true, help: 'Queue size setting' },
   { names: ['--qos-history'], value: 'HISTORY', choices: ['keep_last', 'keep_all'], help: 'History of samples setting' },
   { names: ['--qos-reliability'], value: 'RELIABILITY', choices: ['reliable', 'best_effort'], help: 'Quality of service reliability setting' },

@@ -42,7 +42,11 @@ export const topicCommands: readonly Command[] = [
     words: ['topic', 'info'],
     help: 'Print information about a topic',
     positionals: [{ name: 'topic_name', meaning: 'topic' }],
-    options: [{ names: ['--verbose', '-v'], help: 'Prints detailed information like the node name, node namespace, topic type, topic type hash, GUID and QoS profile of the publishers and subscribers to this topic' }],
+    options: [{
+      names: ['--verbose', '-v'],
+      help:
+        'Prints detailed information like the node name, node namespace, topic type, topic type hash, GUID and QoS profile of the publishers and subscribers to this topic',
+    }],
     run: (context, given) => {
       const [name = ''] = given.positionals;
       const graph = context.session.graph();
@@ -54,9 +58,9 @@ export const topicCommands: readonly Command[] = [
       context.print(`Type: ${topic.types.length === 1 ? topic.types[0] : `[${topic.types.map((type) => `'${type}'`).join(', ')}]`}${end}`);
       for (const [what, list] of lists) {
         context.print(`${what} count: ${list.length}${end}`);
-        if (verbose) for (const each of list) context.print(`${endpointText(what.toUpperCase(), each)}${end}`);
+        if (verbose) { for (const each of list) context.print(`${endpointText(what.toUpperCase(), each)}${end}`); }
       }
-      if (verbose) for (const hint of misfitHints(name, lists[0][1], lists[1][1])) context.warn(hint);
+      if (verbose) { for (const hint of misfitHints(name, lists[0][1], lists[1][1])) context.warn(hint); }
       return Promise.resolve(0);
     },
   },
@@ -121,7 +125,9 @@ function misfitHints(topic: string, publishers: readonly OfNode[], subscriptions
   return publishers.flatMap((from) =>
     subscriptions.flatMap((to) => {
       const policy = misfitPolicy(from.endpoint.qos, to.endpoint.qos);
-      return policy === undefined ? [] : [`WARNING: messages of ${from.node.name} on ${topic} do not reach ${to.node.name}: their QoS policies do not fit, ${policy.toUpperCase()}`];
-    }),
+      return policy === undefined
+        ? []
+        : [`WARNING: messages of ${from.node.name} on ${topic} do not reach ${to.node.name}: their QoS policies do not fit, ${policy.toUpperCase()}`];
+    })
   );
 }

@@ -3,7 +3,7 @@
 import { inFlow } from '../decode/flow_yaml.ts';
 import type { Shape } from '../decode/shape.ts';
 import { isFloat } from '../decode/shape.ts';
-import { fieldOf, isList, isMessage, kTruncateLength, toYaml } from '../decode/yaml.ts';
+import { fieldOf, isList, isMessage, TRUNCATE_LENGTH, toYaml } from '../decode/yaml.ts';
 import { expandName, fullTypeName } from '../decode/ros_names.ts';
 import { type Command, CommandError, type Context, type Given, has, numberOf, type Option, untilDone } from './command.ts';
 import { reprFloat, reprScalar } from './python_text.ts';
@@ -54,7 +54,8 @@ export const serviceEcho: Command = {
     const [service = '', typed] = given.positionals;
     const name = expandName(service, '');
     const type = typed === undefined ? servicesOf(context.session.graph()).find((each) => each.name === name)?.types[0] : fullTypeName(typed, 'srv');
-    if (type === undefined) throw new CommandError(typed === undefined ? 'Could not determine the type for the passed service' : 'The passed service type is invalid');
+    if (type === undefined)
+      throw new CommandError(typed === undefined ? 'Could not determine the type for the passed service' : 'The passed service type is invalid');
     const named = (value: Value): Value => {
       const { info } = value;
       if (!isMessage(info)) return value;
@@ -69,7 +70,7 @@ async function echo(context: Context, given: Given, { name, type }: TopicChoice,
   const codec = await context.codec();
   const parsed = codec.types.get(type);
   if (typeof parsed === 'string') throw new CommandError(parsed);
-  const truncate = has(given, 'full-length') ? null : numberOf(given, 'truncate-length', kTruncateLength);
+  const truncate = has(given, 'full-length') ? null : numberOf(given, 'truncate-length', TRUNCATE_LENGTH);
   const path = given.options.get('field')?.split('.');
   const filter = given.options.get('filter');
   const passes = filter === undefined ? undefined : filterOf(filter);
@@ -131,8 +132,11 @@ async function echo(context: Context, given: Given, { name, type }: TopicChoice,
   function show({ value, shape, float }: Selected): string {
     if (has(given, 'csv')) return csv(value, truncate).join(',');
     if (!isMessage(value)) {
-      const text = isList(value) ? `[${Array.from(cut(value, truncate), (item) => isMessage(item) ? toYaml(item, shape, truncate).trimEnd() : reprScalar(item, float)).join(', ')}]`
-        : typeof value === 'string' ? value : reprScalar(value, float);
+      const text = isList(value)
+        ? `[${Array.from(cut(value, truncate), (item) => isMessage(item) ? toYaml(item, shape, truncate).trimEnd() : reprScalar(item, float)).join(', ')}]`
+        : typeof value === 'string'
+        ? value
+        : reprScalar(value, float);
       return `${text}\n---`;
     }
     return `${toYaml(without(value, has(given, 'no-arr'), has(given, 'no-str'), shape), shape, truncate, has(given, 'flow-style') ? inFlow : undefined)}---`;
@@ -187,7 +191,11 @@ function csv(value: unknown, truncate: number | null): string[] {
 }
 
 function pythonBytes(bytes: Uint8Array): string {
-  const text = Array.from(bytes, (byte) => byte >= 32 && byte < 127 && byte !== 39 && byte !== 92 ? String.fromCharCode(byte)
-    : byte === 39 || byte === 92 ? `\\${String.fromCharCode(byte)}` : `\\x${byte.toString(16).padStart(2, '0')}`).join('');
+  const text = Array.from(bytes, (byte) =>
+    byte >= 32 && byte < 127 && byte !== 39 && byte !== 92
+      ? String.fromCharCode(byte)
+      : byte === 39 || byte === 92
+      ? `\\${String.fromCharCode(byte)}`
+      : `\\x${byte.toString(16).padStart(2, '0')}`).join('');
   return `b'${text}'\n---`;
 }

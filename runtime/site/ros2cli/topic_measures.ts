@@ -43,7 +43,12 @@ async function wantedBy(context: Context, { type }: TopicChoice, filter: string 
 
 /** Reads a topic until Ctrl-C, and tells each second of the site's time. */
 async function measure(
-  context: Context, given: Given, topic: TopicChoice, read: Reading, tell: (values: readonly number[], news: number) => string | undefined, size: number,
+  context: Context,
+  given: Given,
+  topic: TopicChoice,
+  read: Reading,
+  tell: (values: readonly number[], news: number) => string | undefined,
+  size: number,
 ): Promise<number> {
   const node = context.session.node();
   const values: number[] = [];
@@ -123,7 +128,8 @@ export const topicMeasures: readonly Command[] = [
         const seconds = (context.session.time.view().now - times[0]!) / 1000;
         const { count, mean, least, most } = summary(sizes);
         const perSecond = mean * count / Math.max(seconds, 1e-9);
-        const text = (value: number): string => perSecond < 1e3 ? `${value.toFixed(0)} B` : perSecond < 1e6 ? `${(value / 1e3).toFixed(2)} KB` : `${(value / 1e6).toFixed(2)} MB`;
+        const text = (value: number): string =>
+          perSecond < 1e3 ? `${value.toFixed(0)} B` : perSecond < 1e6 ? `${(value / 1e3).toFixed(2)} KB` : `${(value / 1e6).toFixed(2)} MB`;
         return `${text(perSecond)}/s from ${count} messages\n\tMessage size mean: ${text(mean)} min: ${text(least)} max: ${text(most)}`;
       }, size);
     },

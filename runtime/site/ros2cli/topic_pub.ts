@@ -10,14 +10,20 @@ export const topicPub: Command = {
   words: ['topic', 'pub'],
   help: 'Publish a message to a topic',
   positionals: [
-    { name: 'topic_name', meaning: 'topic' }, { name: 'message_type', meaning: 'message_type' }, { name: 'values', meaning: 'message_values', optional: true },
+    { name: 'topic_name', meaning: 'topic' },
+    { name: 'message_type', meaning: 'message_type' },
+    { name: 'values', meaning: 'message_values', optional: true },
   ],
   options: [
     { names: ['--rate', '-r'], value: 'N', number: true, help: 'Publishing rate in Hz (default: 1)' },
     { names: ['--print', '-p'], value: 'N', number: true, help: 'Only print every N-th published message (default: 1)' },
     { names: ['--once', '-1'], help: 'Publish one message and exit' },
     { names: ['--times', '-t'], value: 'TIMES', number: true, help: 'Publish this number of times and then exit' },
-    { names: ['--wait-matching-subscriptions', '-w'], value: 'N', help: 'Wait until finding the specified number of matching subscriptions. Defaults to 1 when using "-1"/"--once"/"--times", otherwise defaults to 0.' },
+    {
+      names: ['--wait-matching-subscriptions', '-w'],
+      value: 'N',
+      help: 'Wait until finding the specified number of matching subscriptions. Defaults to 1 when using "-1"/"--once"/"--times", otherwise defaults to 0.',
+    },
     { names: ['--max-wait-time-secs'], value: 'S', number: true, help: 'This sets the maximum wait time in seconds if --wait-matching-subscriptions is set' },
     { names: ['--keep-alive'], value: 'N', number: true, help: 'Keep publishing node alive for N seconds after the last msg (default: 0.1)' },
     ...qosOptions,

@@ -19,7 +19,8 @@ async function get(path: string, base: URL, cache: RequestCache = 'default'): Pr
   } catch (error) {
     // The loader of a page that carries its files throws its own.
     const carried = error as Partial<SiteError>;
-    if (carried.name === 'SiteError') throw new SiteError(carried.code ?? 'R2W0706', String(carried.message), { why: carried.why ?? [], fix: carried.fix ?? [] });
+    if (carried.name === 'SiteError')
+      throw new SiteError(carried.code ?? 'R2W0706', String(carried.message), { why: carried.why ?? [], fix: carried.fix ?? [] });
     throw new SiteError('R2W0706', `${url.pathname} cannot be fetched: ${error instanceof Error ? error.message : String(error)}`, {
       why: 'the host is not reachable, and the page has no copy of the file yet',
       fix: 'reload the page when the connection is back',
@@ -65,12 +66,12 @@ export function browserPlatform(base: URL, script: string, early?: string): Brow
     if (await expected.matches(path, bytes)) return bytes;
     return expected.checked(path, await (await get(path, base, 'reload')).arrayBuffer());
   };
-  const bytes = async (path: string): Promise<ArrayBuffer> =>
-    checked(path, await (await get(path, base)).arrayBuffer());
+  const bytes = async (path: string): Promise<ArrayBuffer> => checked(path, await (await get(path, base)).arrayBuffer());
   const scriptUrl = Promise.all([get(early ?? script, base).then((response) => response.arrayBuffer()), list])
     .then(([text]) => checked(script, text))
     .then(async (text): Promise<WorkerScript> => ({
-      url: URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), files: await workerFiles(base, paths),
+      url: URL.createObjectURL(new Blob([text], { type: 'text/javascript' })),
+      files: await workerFiles(base, paths),
     }));
   return {
     ready: scriptUrl.then(

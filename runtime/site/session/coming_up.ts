@@ -45,7 +45,7 @@ export class ComingUp {
   /** It waits for the first time, or is over. */
   settled(node: SiteNode): void {
     this.nodes.delete(node);
-    if (this.nodes.size === 0) for (const go of [...this.waiting]) go();
+    if (this.nodes.size === 0) { for (const go of [...this.waiting]) go(); }
   }
 
   /** Resolves when none is left, or the signal comes. */

@@ -38,7 +38,8 @@ export async function workOf({ session, file, comingUp, run, words, broker, sign
   try {
     if (broker.conductor === undefined) await comingUp.none(signal);
     if (broker.kind === 'port') await pause(discoveryMs);
-    const code = signal.aborted ? interruptedCode
+    const code = signal.aborted
+      ? interruptedCode
       : await run({ session, words, print: (text) => say(1, text), warn: (text) => say(2, text), file: holding, signal });
     return { kind: 'exited', code };
   } catch (error) {

@@ -32,13 +32,13 @@ interface Options {
   readonly json: boolean;
   readonly link: 'shared' | 'port';
   /** One node runs at a time, and time jumps to what is waited for. */
-  readonly stepped: { readonly seed: number } | undefined;
+  readonly stepped: { readonly seed: number; } | undefined;
   /** Where the messages that were sent are written to. */
   readonly trace: string | undefined;
   /** The folder that bags of nodes are written to. */
   readonly bags: string | undefined;
   /** Ends when the site's checks are decided. */
-  readonly checks: { readonly junit: string | undefined } | undefined;
+  readonly checks: { readonly junit: string | undefined; } | undefined;
   /** Launch arguments. */
   readonly given: ReadonlyMap<string, string>;
   /** Print what launch arguments there are, and start nothing. */
@@ -165,7 +165,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
   platform.expect(packed.files);
   const site = await siteWithArguments(packed, options.given, platform);
   for (const note of site.launch?.notes ?? []) process.stderr.write(`${note}\n`);
-  if (site.launch?.reran === true) process.stderr.write('the launch file\'s Python was run again for these launch arguments\n');
+  if (site.launch?.reran === true) process.stderr.write("the launch file's Python was run again for these launch arguments\n");
   if (site.launch?.decided === true) process.stderr.write('some of what runs was decided in Python when the site was packed\n');
   const broker = brokerFor(options);
   const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));
@@ -246,7 +246,8 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
   let begun = false;
   /** `--for` counts from the first node whose own code runs: what is loaded before that is not part of the run. */
   const watchStart = (nodes: readonly NodeView[]): void => {
-    const runs = ({ state, loading }: NodeView): boolean => state.kind === 'exited' || state.kind === 'crashed' || (state.kind === 'running' && loading !== true);
+    const runs = ({ state, loading }: NodeView): boolean =>
+      state.kind === 'exited' || state.kind === 'crashed' || (state.kind === 'running' && loading !== true);
     if (begun || forMs === undefined || !(nodes.length === 0 || nodes.some(runs))) return;
     begun = true;
     clearTimeout(timer);

@@ -18,7 +18,8 @@ export function serveHeadlessWorker(): void {
   const handle = serveWorker((report) => port.postMessage(report), readFileNow, {
     files: nodeFiles,
     python: async () => ({
-      run: (await import('../python/python_program.ts')).runPython, makeImage: (await import('../python/python_image.ts')).makeImage,
+      run: (await import('../python/python_program.ts')).runPython,
+      makeImage: (await import('../python/python_image.ts')).makeImage,
       runLaunch: (await import('../launch/launch_python.ts')).runLaunch,
     }),
     openChannel: (name) => new BroadcastChannel(name),

@@ -144,10 +144,11 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     await underWay(session, longestWaitMs);
   }
   // Styles and tests can tell by <html data-offline> whether the site is kept.
-  const later = (): void => void (alone ? Promise.resolve(true) : keepOffline(serviceWorker)).then((kept) => {
-    document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';
-    options.onOffline?.(kept);
-  });
+  const later = (): void =>
+    void (alone ? Promise.resolve(true) : keepOffline(serviceWorker)).then((kept) => {
+      document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';
+      options.onOffline?.(kept);
+    });
   // Nodes that boot an interpreter need the cores more; one that computes for ever does not keep the site from being kept.
   void booted.then(() => whenIdle(later));
   window.addEventListener('pagehide', (event) => {

@@ -66,7 +66,7 @@ export const nodeFiles: WorkerFiles = {
       readonly loadPyodide: typeof loadPyodide;
     }
     const script = pathToFileURL(`${home}pyodide.js`).href;
-    const { default: module } = await import(script) as { default?: Door };
+    const { default: module } = await import(script) as { default?: Door; };
     if (module !== undefined) return module.loadPyodide;
     // Within a project of npm whose scripts are modules it has no exports, and its other script no way to ask for modules.
     Object.assign(globalThis, { require: createRequire(script), __dirname: home });
@@ -79,7 +79,7 @@ export const nodeFiles: WorkerFiles = {
 };
 
 /** `entry`: the script that serves nodes when it is started as a worker thread. */
-export function nodePlatform(folder: string, entry: URL): Platform & { close(): void } {
+export function nodePlatform(folder: string, entry: URL): Platform & { close(): void; } {
   const modules = new Map<string, Promise<WebAssembly.Module>>();
   const workers = new Set<Worker>();
 

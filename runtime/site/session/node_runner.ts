@@ -42,14 +42,14 @@ export interface RunnerHost extends ProcessHost {
   readonly sources: SourceFiles | undefined;
   /** A program is out of the graph; what it published is not yet freed. */
   readonly left: () => void;
-  readonly stepped: { readonly seed: number } | undefined;
+  readonly stepped: { readonly seed: number; } | undefined;
   /** Tells of every message; undefined: nobody asks. */
   readonly sent: ((node: SiteNode, message: SentMessage) => void) | undefined;
   readonly resetInput: (id: string) => void;
   /** It has written a file and closed it. */
   readonly wrote: (node: SiteNode, path: string, bytes: Uint8Array<ArrayBuffer>) => void;
   /** A batch of lines was received from a worker of the participant. */
-  readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
+  readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines'; }>) => void;
   /** Called with an event of a notebook's kernel. */
   readonly event?: (event: string) => void;
 }
@@ -311,7 +311,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
   }
 
   /** The program is over and its worker rests; a trap's report gets its names before it is told. */
-  private async onEnd(end: Exclude<ProgramEnd, { kind: 'thread' }>, closed: boolean): Promise<void> {
+  private async onEnd(end: Exclude<ProgramEnd, { kind: 'thread'; }>, closed: boolean): Promise<void> {
     const { attempt } = this;
     if (this.run !== undefined && this.run.threads.size > 0) await this.lastWords(this.run);
     if (this.attempt !== attempt) return;
@@ -362,7 +362,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
   }
 }
 
-function stateOf(end: Exclude<ProgramEnd, { kind: 'thread' }>): NodeState {
+function stateOf(end: Exclude<ProgramEnd, { kind: 'thread'; }>): NodeState {
   switch (end.kind) {
     case 'exit':
       return { kind: 'exited', code: end.code };

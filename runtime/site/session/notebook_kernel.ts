@@ -83,7 +83,7 @@ export class SiteKernel implements NotebookKernel {
   }
 
   told(event: KernelEvent | undefined): void {
-    if (event !== undefined) for (const listener of [...this.events]) listener(event);
+    if (event !== undefined) { for (const listener of [...this.events]) listener(event); }
   }
 
   changed(): void {

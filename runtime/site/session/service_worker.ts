@@ -89,7 +89,7 @@ function isDocumentOfLab(url: string, { files, folders }: SiteList): boolean {
 function parseManifest(text: string): Manifest {
   const map = new Map<string, string>();
   try {
-    const site = JSON.parse(text) as { store?: unknown; files?: Partial<ListedPlace>[] };
+    const site = JSON.parse(text) as { store?: unknown; files?: Partial<ListedPlace>[]; };
     const store = readStore(site.store);
     for (const { path, sha256, ...rest } of site.files ?? []) {
       if (typeof path !== 'string' || typeof sha256 !== 'string' || sha256 === '') continue;
@@ -149,7 +149,7 @@ async function askHost(): Promise<Response> {
 }
 
 /** Asks the host. `list`: undefined when it does not give one. Throws without a network. Renews the newest list. */
-async function fetchList(): Promise<{ readonly response: Response; readonly list: SiteList | undefined }> {
+async function fetchList(): Promise<{ readonly response: Response; readonly list: SiteList | undefined; }> {
   const response = await askHost();
   if (!response.ok) return { response, list: undefined };
   const list = listOf(await response.text());
@@ -368,5 +368,7 @@ scope.addEventListener('fetch', (event) => {
 scope.addEventListener('message', (event) => {
   if (event.data !== 'keep') return;
   const port = event.ports[0];
-  event.waitUntil(keepAll(event.source !== null && 'id' in event.source ? event.source.id : '').then(() => port?.postMessage('kept'), () => port?.postMessage('failed')));
+  event.waitUntil(
+    keepAll(event.source !== null && 'id' in event.source ? event.source.id : '').then(() => port?.postMessage('kept'), () => port?.postMessage('failed')),
+  );
 });

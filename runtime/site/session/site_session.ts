@@ -2,6 +2,8 @@
 
 import type { Broker } from '../bus/broker.ts';
 import { ComingUp } from './coming_up.ts';
+import { GraphWatch } from './graph_watch.ts';
+import { InterfaceTexts } from './interface_texts.ts';
 import { NodeConsole } from '../program/console_log.ts';
 import type { SentLine } from '../bus/console_sender.ts';
 import { graphView } from '../bus/graph_view.ts';
@@ -20,8 +22,23 @@ import { PythonWorkers } from '../workers/python_workers.ts';
 import { type CommonHost, runnerOf } from './runner_of.ts';
 import { Sampler } from '../bus/sampler.ts';
 import {
-  type AddedNode, carriedPrograms, type CommandLoader, type ConsoleLog, type LastMessage, type LaunchedNodes, type LaunchRequest, type LinkKind,
-  type NodeState, type NodeView, type Session, type SiteDescription, type SiteNode, type SiteTime, type SteppedRun, type TabView, type TopicView,
+  type AddedNode,
+  carriedPrograms,
+  type CommandLoader,
+  type ConsoleLog,
+  type LastMessage,
+  type LaunchedNodes,
+  type LaunchRequest,
+  type LinkKind,
+  type NodeState,
+  type NodeView,
+  type Session,
+  type SiteDescription,
+  type SiteNode,
+  type SiteTime,
+  type SteppedRun,
+  type TabView,
+  type TopicView,
   type Unsubscribe,
 } from '../contract/session.ts';
 import { SourceFiles } from '../python/source_files.ts';
@@ -44,7 +61,7 @@ export interface SessionOptions {
   readonly platform: Platform;
   readonly broker: Broker;
   /** A stepped run; the broker must be made for it. `time`: its time is in the page's hand. */
-  readonly stepped?: { readonly seed: number; readonly time?: SteppedTime };
+  readonly stepped?: { readonly seed: number; readonly time?: SteppedTime; };
   /** Must be there for a site whose launch file starts commands of `ros2`. */
   readonly commands?: CommandLoader;
   /** Called with each message that a node sends, in order. */
@@ -59,7 +76,7 @@ export class SiteSession implements Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
   readonly prefix: string;
-  readonly time: SiteTime & { close(): void };
+  readonly time: SiteTime & { close(): void; };
   readonly stepped: SteppedRun | undefined;
   private readonly platform: Platform;
   private readonly broker: Broker;
@@ -79,17 +96,16 @@ export class SiteSession implements Session {
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
   /** Resolves when every node of the site has settled once. */
   readonly settled: Promise<void>;
-  private readonly graphListeners = new Set<(graph: GraphView) => void>();
+  private readonly graphWatch: GraphWatch;
   private page: PageParticipant | undefined;
   readonly sources: SourceFiles | undefined;
-  private unwatchGraph: (() => void) | undefined;
-  checks: (SiteChecks & { close(): void }) | undefined;
-  tasks: (SiteTasks & { close(): void }) | undefined;
+  checks: (SiteChecks & { close(): void; }) | undefined;
+  tasks: (SiteTasks & { close(): void; }) | undefined;
   readonly notebook: SiteKernel | undefined;
   readonly written = new WrittenFiles();
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
-  private definitions: Promise<Map<string, string>> | undefined;
+  private readonly definitions: InterfaceTexts;
   private tabs: Tabs | undefined;
   /** restartAll() waits for the last node to end. */
   private again = false;
@@ -100,6 +116,8 @@ export class SiteSession implements Session {
     this.platform = platform;
     this.broker = broker;
     this.link = broker.kind;
+    this.definitions = new InterfaceTexts(platform, site.interfaces);
+    this.graphWatch = new GraphWatch(broker.link, (draw) => platform.frame(draw), () => this.participant(), () => this.graph());
     this.prefix = prefixOf(site);
     this.time = stepped?.time ?? new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
@@ -267,12 +285,12 @@ export class SiteSession implements Session {
   }
 
   /** They are closed with the session. */
-  useChecks(checks: SiteChecks & { close(): void }): void {
+  useChecks(checks: SiteChecks & { close(): void; }): void {
     this.checks = checks;
   }
 
   /** As checks are. */
-  useTasks(tasks: SiteTasks & { close(): void }): void {
+  useTasks(tasks: SiteTasks & { close(): void; }): void {
     this.tasks = tasks;
   }
 
@@ -312,9 +330,22 @@ export class SiteSession implements Session {
     const id = this.idFor(executable);
     const { kind, program, names, python, threads } = carried;
     const node: SiteNode = {
-      id, package: from, executable, label: executable, kind, program, threads, arguments: given, environment: {},
-      ...(names === undefined ? {} : { names }), ...(python === undefined ? {} : { python }),
-      output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
+      id,
+      package: from,
+      executable,
+      label: executable,
+      kind,
+      program,
+      threads,
+      arguments: given,
+      environment: {},
+      ...(names === undefined ? {} : { names }),
+      ...(python === undefined ? {} : { python }),
+      output: 'screen',
+      respawn: false,
+      respawnDelay: 0,
+      startAfter: 0,
+      shutdownOnExit: false,
     };
     const runner = this.addedRunner(node, {
       changed: () => {
@@ -340,17 +371,19 @@ export class SiteSession implements Session {
     const { platform, broker } = this;
     const [{ LaunchGroup }, site] = await Promise.all([
       import('../launch/launch_group.ts'),
-      asked.arguments.size === 0 ? this.site
+      asked.arguments.size === 0
+        ? this.site
         : import('../launch/launch_evaluation.ts').then(({ siteWithArguments }) => siteWithArguments(this.site, asked.arguments, platform)),
     ]);
     return new LaunchGroup(site.nodes, site.launchSteps, asked, {
       idFor: (executable, but) => this.idFor(executable, but),
-      runnerOf: (node, told) => this.addedRunner(node, {
-        changed: told.changed,
-        shutdown: told.shutdown,
-        happened: (_of, event) => told.happened(event),
-        lines: (_of, { lines }) => told.lines(lines),
-      }),
+      runnerOf: (node, told) =>
+        this.addedRunner(node, {
+          changed: told.changed,
+          shutdown: told.shutdown,
+          happened: (_of, event) => told.happened(event),
+          lines: (_of, { lines }) => told.lines(lines),
+        }),
       free: (ids) => {
         for (const id of ids) this.gone.add(id);
         this.nodesChanged();
@@ -492,27 +525,11 @@ export class SiteSession implements Session {
   }
 
   interfaces(): Promise<Map<string, string>> {
-    if (this.definitions === undefined) {
-      const loading = this.loadInterfaces();
-      this.definitions = loading;
-      // The next call tries again.
-      loading.catch(() => {
-        this.definitions = undefined;
-      });
-    }
-    return this.definitions;
+    return this.definitions.all();
   }
 
-  async learn(definitions: ReadonlyMap<string, string>): Promise<void> {
-    const known = await this.interfaces();
-    for (const [type, text] of definitions) if (!known.has(type)) known.set(type, text);
-  }
-
-  private async loadInterfaces(): Promise<Map<string, string>> {
-    if (this.site.interfaces === '') return new Map();
-    const json = await this.platform.json(this.site.interfaces);
-    if (typeof json !== 'object' || json === null) return new Map();
-    return new Map(Object.entries(json).filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
+  learn(definitions: ReadonlyMap<string, string>): Promise<void> {
+    return this.definitions.learn(definitions);
   }
 
   node(): PageNode {
@@ -534,35 +551,7 @@ export class SiteSession implements Session {
   }
 
   onGraph(listener: (graph: GraphView) => void): Unsubscribe {
-    this.graphListeners.add(listener);
-    this.unwatchGraph ??= this.watchGraph();
-    return () => {
-      this.graphListeners.delete(listener);
-      if (this.graphListeners.size > 0) return;
-      this.unwatchGraph?.();
-      this.unwatchGraph = undefined;
-    };
-  }
-
-  private watchGraph(): () => void {
-    const { link } = this.broker;
-    let version = link.graphVersion();
-    let told = true;
-    return this.participant().watch({
-      after: () => {
-        const now = link.graphVersion();
-        if (now === version) return;
-        version = now;
-        if (!told) return;
-        told = false;
-        this.platform.frame(() => {
-          told = true;
-          if (this.closed) return;
-          const graph = this.graph();
-          for (const each of [...this.graphListeners]) each(graph);
-        });
-      },
-    });
+    return this.graphWatch.add(listener);
   }
 
   sendInput(id: string, text: string): void {
@@ -583,12 +572,12 @@ export class SiteSession implements Session {
     this.tabs?.close();
     for (const runner of this.runners.values()) runner.close();
     this.notebook?.close();
+    this.graphWatch.close();
     this.page?.close();
     this.images?.close();
     this.pythonWorkers.close();
     this.sources?.close();
     this.nodeListeners.clear();
-    this.graphListeners.clear();
     this.topicListeners.clear();
     this.broker.close();
   }

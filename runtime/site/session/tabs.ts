@@ -57,7 +57,7 @@ export class Tabs {
     const prefix = `ros2wasm ${options.site} ${options.graph}`;
     const id = crypto.randomUUID();
     const present = await hold(`${prefix} tab ${id}`);
-    for (let number = 1; ; number += 1) {
+    for (let number = 1;; number += 1) {
       const release = await hold(`${prefix} number ${number}`);
       if (release === undefined) continue;
       return new Tabs(options, prefix, id, number, [present, release]);

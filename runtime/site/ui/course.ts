@@ -5,7 +5,7 @@
 import { browserStore, readText } from './model/preferences.ts';
 import { progressName, readProgress } from './model/progress.ts';
 import type { Progress } from './model/progress.ts';
-import { kMostName } from './model/progress_file.ts';
+import { MOST_NAME } from './model/progress_file.ts';
 import { handIn } from './parts/hand_in.ts';
 import { courseTexts } from './texts_course.ts';
 import { handInTexts } from './texts_hand_in.ts';
@@ -73,7 +73,7 @@ function addForm(): void {
   const button = document.createElement('button');
   const said = document.createElement('p');
   input.autocomplete = 'name';
-  input.maxLength = kMostName;
+  input.maxLength = MOST_NAME;
   label.append(handInTexts.name, input);
   button.textContent = handInTexts.save;
   said.setAttribute('role', 'status');

@@ -60,8 +60,7 @@ function App({ session, kept, store }: AppProps) {
   }, [kept]);
 
   useEffect(() => {
-    const onError = (event: ErrorEvent): void =>
-      setMistake(problemOf(event.error ?? event.message));
+    const onError = (event: ErrorEvent): void => setMistake(problemOf(event.error ?? event.message));
     const onRejection = (event: PromiseRejectionEvent): void => setMistake(problemOf(event.reason));
     addEventListener('error', onError);
     addEventListener('unhandledrejection', onRejection);
@@ -81,7 +80,7 @@ function App({ session, kept, store }: AppProps) {
   );
 }
 
-function FailurePage({ problem }: { readonly problem: Problem }) {
+function FailurePage({ problem }: { readonly problem: Problem; }) {
   return (
     <main class="lone lone-failure">
       <Mark />

@@ -103,20 +103,22 @@ export function Page({ session, store, offline, embed }: PageProps) {
 
   return (
     <div class={embed === null ? 'page' : 'page page-embedded'}>
-      {embed === null ? (
-        <>
-          <a class="skip" href="#content" onClick={toConsole}>
-            {texts.skipToConsole}
-          </a>
-          <PageHeader
-            session={session}
-            store={store}
-            narrow={narrow}
-            layoutItems={layoutItems}
-            onAbout={() => setAboutOpen(true)}
-          />
-        </>
-      ) : null}
+      {embed === null
+        ? (
+          <>
+            <a class="skip" href="#content" onClick={toConsole}>
+              {texts.skipToConsole}
+            </a>
+            <PageHeader
+              session={session}
+              store={store}
+              narrow={narrow}
+              layoutItems={layoutItems}
+              onAbout={() => setAboutOpen(true)}
+            />
+          </>
+        )
+        : null}
       {control.notice === '' ? null : (
         <div class="notice" role="region" aria-label={texts.layout.notice}>
           <p>{control.notice}</p>

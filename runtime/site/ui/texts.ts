@@ -34,8 +34,7 @@ export const texts = {
     times: (rate: number): string => `${rate}\u00d7`,
     state: { running: '', stepping: 'Stepping', paused: 'Paused' },
     seed: (seed: number): string => `Seed ${seed}`,
-    trace: (seed: number, messages: number, hash: string): string =>
-      `Seed ${seed}: ${messages} messages, sha256 ${hash}\u2026`,
+    trace: (seed: number, messages: number, hash: string): string => `Seed ${seed}: ${messages} messages, sha256 ${hash}\u2026`,
   },
 
   theme: {
@@ -59,7 +58,34 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', diagnostics: 'Diagnostics', lifecycle: 'Lifecycle', timeline: 'States', checks: 'Checks', tasks: 'Tasks', source: 'Source', terminal: 'Terminal', notebook: 'Notebook', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view', simulation: 'Simulation', joints: 'Joints', bag: 'Bag' },
+  panels: {
+    nodes: 'Nodes',
+    console: 'Consoles',
+    topics: 'Topics',
+    plot: 'Plot',
+    graph: 'Graph',
+    frames: 'Frames',
+    diagnostics: 'Diagnostics',
+    lifecycle: 'Lifecycle',
+    timeline: 'States',
+    checks: 'Checks',
+    tasks: 'Tasks',
+    source: 'Source',
+    terminal: 'Terminal',
+    notebook: 'Notebook',
+    publish: 'Publish',
+    services: 'Services and actions',
+    parameters: 'Parameters',
+    teleop: 'Teleop',
+    text: 'Text',
+    log: 'Log',
+    image: 'Image',
+    turtlesim: 'Turtlesim',
+    scene: '3D view',
+    simulation: 'Simulation',
+    joints: 'Joints',
+    bag: 'Bag',
+  },
   panelTabs: 'Panels',
 
   layout: {
@@ -96,13 +122,10 @@ export const texts = {
     empty: 'Nothing is open here. The plus sign opens a panel.',
     notice: 'About the link you followed',
     dismiss: 'Dismiss',
-    linkOther:
-      'This link was made for another version of this site. Its view is shown as far as it fits.',
+    linkOther: 'This link was made for another version of this site. Its view is shown as far as it fits.',
     linkBroken: 'The view in this link cannot be read. The usual one is shown.',
-    linkLeftOut: (names: readonly string[]): string =>
-      `This page has no such panels, so the layout is shown without them: ${names.join(', ')}.`,
-    linkChanged: (files: string): string =>
-      `Who made this link had changed sources, which are not in it: ${files}. Here they are as you have them.`,
+    linkLeftOut: (names: readonly string[]): string => `This page has no such panels, so the layout is shown without them: ${names.join(', ')}.`,
+    linkChanged: (files: string): string => `Who made this link had changed sources, which are not in it: ${files}. Here they are as you have them.`,
     linkParameters: (count: number): string =>
       `The link brings ${count === 1 ? 'a parameter' : `${count} parameters`}, set when ${count === 1 ? 'its node runs' : 'their nodes run'}.`,
     linkNoParameters: 'The parameters in this link cannot be read.',
@@ -112,8 +135,7 @@ export const texts = {
 
   tabs: {
     join: 'Join other tabs of this site: their nodes and these see each other',
-    open: (graph: string): string =>
-      `Graph \u201c${graph}\u201d. Opens another tab that joins it and runs the nodes that no other tab runs`,
+    open: (graph: string): string => `Graph \u201c${graph}\u201d. Opens another tab that joins it and runs the nodes that no other tab runs`,
     place: (number: number, count: number): string => `Tab ${number} of ${count}`,
     elsewhere: (tabs: readonly number[]): string => `runs in tab ${tabs.join(', ')}`,
   },
@@ -138,8 +160,7 @@ export const texts = {
     waitsForStart: (node: string): string => `Waits for ${node} to start`,
     waitsForLine: (node: string): string => `Waits for what ${node} prints`,
     waitsForEnd: (node: string): string => `Waits for ${node} to end`,
-    waitsForChange: (name: string, state?: string): string =>
-      state === undefined ? `Waits for a change of ${name}` : `Waits until ${name} is ${state}`,
+    waitsForChange: (name: string, state?: string): string => state === undefined ? `Waits for a change of ${name}` : `Waits until ${name} is ${state}`,
     starting: 'Starting',
     loading: 'Starting Python',
     running: 'Running',
@@ -189,8 +210,7 @@ export const texts = {
     hidden: 'Show hidden topics',
     hiddenShort: 'Show hidden',
     publishers: (count: number): string => (count === 1 ? '1 publisher' : `${count} publishers`),
-    subscriptions: (count: number): string =>
-      count === 1 ? '1 subscription' : `${count} subscriptions`,
+    subscriptions: (count: number): string => count === 1 ? '1 subscription' : `${count} subscriptions`,
     publishersShort: 'pub',
     subscriptionsShort: 'sub',
     rate: 'Rate',

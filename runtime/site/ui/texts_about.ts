@@ -2,7 +2,8 @@
 
 export const aboutTexts = {
   close: 'Close',
-  what: 'A ROS 2 workspace, packed into static files. It runs in this browser: no server takes part, nothing is installed, and nothing you do here leaves this device.',
+  what:
+    'A ROS 2 workspace, packed into static files. It runs in this browser: no server takes part, nothing is installed, and nothing you do here leaves this device.',
   workspace: 'Workspace',
   authors: 'Authors',
   license: 'License',
@@ -27,8 +28,7 @@ export const aboutTexts = {
   reportHint: 'for a bug report: versions, states and problems, no console text.',
 
   /** The kind of link between the nodes. */
-  sharedLong:
-    'This page is isolated by the browser, so the nodes share memory: a message is written once and wakes its readers directly.',
+  sharedLong: 'This page is isolated by the browser, so the nodes share memory: a message is written once and wakes its readers directly.',
   portLong:
     'This page could not be isolated by the browser, so the nodes pass messages through ports. Nodes that start threads cannot run here; all else works, slower.',
   portFix:

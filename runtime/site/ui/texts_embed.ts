@@ -12,7 +12,8 @@ export const embedTexts = {
       `send objects, lists, texts, finite numbers and flags: at most ${most} characters as JSON, 8 deep`,
     ],
     command: (name: string | undefined, known: string) => [
-      name === undefined ? 'the message has no `do`' : `\`${name}\` is not a command`, `commands are: ${known}`,
+      name === undefined ? 'the message has no `do`' : `\`${name}\` is not a command`,
+      `commands are: ${known}`,
     ],
     name: (key: string, most: number) => [`\`${key}\` is not a valid name`, `give \`${key}\` as a text of 1 to ${most} characters`],
     missing: (key: string) => [`there is no \`${key}\``, `give \`${key}\``],

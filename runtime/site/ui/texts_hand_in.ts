@@ -11,6 +11,5 @@ export const handInTexts = {
     unsupported: 'This browser cannot sign the file (Ed25519). Chrome 137, Firefox 129 and Safari 17 can, and newer ones.',
   },
   saved: (file: string): string => `Saved as ${file}. Hand it in as it is: one changed letter, and its signature does not fit.`,
-  savedOnce: (file: string): string =>
-    `Saved as ${file}, signed with a key for this visit only, as the browser keeps nothing here. Hand it in as it is.`,
+  savedOnce: (file: string): string => `Saved as ${file}, signed with a key for this visit only, as the browser keeps nothing here. Hand it in as it is.`,
 } as const;

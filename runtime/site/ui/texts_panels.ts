@@ -64,8 +64,7 @@ export const panelTexts = {
     more: (shown: number, all: number): string => `The first ${shown} of ${all}. The filter finds the others.`,
     showUsual: (count: number): string => `${count} more that every node has`,
     hideUsual: 'Hide those that every node has',
-    refused: (value: string, reason: string): string =>
-      reason === '' ? `The node refused ${value} without a reason` : `The node refused ${value}: ${reason}`,
+    refused: (value: string, reason: string): string => reason === '' ? `The node refused ${value} without a reason` : `The node refused ${value}: ${reason}`,
     notSet: (value: string, reason: string): string => `Not set to ${value}: ${reason}`,
     set: (name: string, node: string): string => `${name} of ${node} is set`,
     readOnly: 'read-only',
@@ -73,8 +72,7 @@ export const panelTexts = {
     bytes: (count: number): string => (count === 1 ? '1 byte' : `${count} bytes`),
     slider: (label: string): string => `${label}, slider`,
     notGiven: 'not set',
-    range: (least: string, most: string, step: string): string =>
-      step === '' ? `from ${least} to ${most}` : `from ${least} to ${most} in steps of ${step}`,
+    range: (least: string, most: string, step: string): string => step === '' ? `from ${least} to ${most}` : `from ${least} to ${most} in steps of ${step}`,
     noInteger: 'not an integer of 64 bits',
     noNumber: 'not a number',
     noBoolean: 'neither true nor false',
@@ -86,8 +84,7 @@ export const panelTexts = {
     buttons: 'Directions',
     directions: { ahead: 'Ahead', left: 'Turn left', right: 'Turn right', back: 'Back' },
     stop: 'Stop',
-    speed: (linear: number, angular: number): string =>
-      `${linear.toFixed(2)}\u00a0m/s, ${angular.toFixed(2)}\u00a0rad/s`,
+    speed: (linear: number, angular: number): string => `${linear.toFixed(2)}\u00a0m/s, ${angular.toFixed(2)}\u00a0rad/s`,
     silent: 'at rest, nothing is sent',
     sending: (topic: string): string => `driving ${topic}`,
     unheard: (topic: string, type: string): string => `Nobody waits for ${type} on ${topic} yet.`,
@@ -102,8 +99,7 @@ export const panelTexts = {
   publish: {
     topic: 'Topic',
     type: 'Type',
-    otherType: (topic: string, type: string): string =>
-      `${topic} has the type ${type}: messages of another type reach no node there.`,
+    otherType: (topic: string, type: string): string => `${topic} has the type ${type}: messages of another type reach no node there.`,
     once: 'Publish once',
     rate: 'Rate in Hz',
     repeat: 'Publish at the rate',
@@ -127,7 +123,9 @@ export const panelTexts = {
     none: 'Add a field of a topic to plot it.',
     needsTwo: 'The first field is the x axis. Add another one for the y axis.',
     of: (paths: readonly string[]): string =>
-      `${paths.length === 0 ? 'Empty plot' : `Plot of ${paths.join(', ')}`}. Left and right go from value to value, up and down zoom the values, plus and minus zoom, with Shift the arrow keys move the drawing, 0 shows all`,
+      `${
+        paths.length === 0 ? 'Empty plot' : `Plot of ${paths.join(', ')}`
+      }. Left and right go from value to value, up and down zoom the values, plus and minus zoom, with Shift the arrow keys move the drawing, 0 shows all`,
     whole: 'Show all values and follow',
     at: (seconds: number): string => `At ${seconds.toFixed(3)}\u00a0s`,
     values: (seconds: number, values: readonly (readonly [name: string, value: string])[]): string =>
@@ -135,8 +133,7 @@ export const panelTexts = {
     pause: 'Hold the drawing',
     follow: 'Follow what comes',
     range: 'Time shown',
-    last: (seconds: number): string =>
-      seconds < 60 ? `${seconds}\u00a0s` : seconds < 3600 ? `${seconds / 60}\u00a0min` : `${seconds / 3600}\u00a0h`,
+    last: (seconds: number): string => seconds < 60 ? `${seconds}\u00a0s` : seconds < 3600 ? `${seconds / 60}\u00a0min` : `${seconds / 3600}\u00a0h`,
     mode: 'Axes',
     time: 'Over time',
     xy: 'First as x',
@@ -157,7 +154,6 @@ export const panelTexts = {
     places: 'Show where each line was logged',
     empty: 'Nothing has been logged on /rosout since this panel was opened.',
   },
-
 
   scene: {
     frame: 'Fixed frame',
@@ -199,8 +195,7 @@ export const panelTexts = {
     markersLeftOut: 'too many markers',
     noRobot: (reason: string): string => `no robot description: ${reason}`,
     urdfFaults: { 'too-long': 'the text is too long', 'no-xml': 'the text is not XML', 'no-robot': 'it has no robot' },
-    shapesLeftOut: (count: number): string =>
-      count === 1 ? '1 shape is not drawn: it has no size' : `${count} shapes are not drawn: they have no size`,
+    shapesLeftOut: (count: number): string => count === 1 ? '1 shape is not drawn: it has no size' : `${count} shapes are not drawn: they have no size`,
     mesh: {
       none: 'a marker names no mesh',
       kind: (file: string): string => `${file} is not drawn: meshes are STL, DAE, OBJ, glTF and GLB`,
@@ -237,8 +232,7 @@ export const panelTexts = {
       back: (turtle: string): string => `Drive ${turtle} back`,
       right: (turtle: string): string => `Turn ${turtle} right`,
     },
-    turtle: (name: string, x: string, y: string, degrees: string): string =>
-      `${name} at x ${x}, y ${y}, heading ${degrees}\u00b0`,
+    turtle: (name: string, x: string, y: string, degrees: string): string => `${name} at x ${x}, y ${y}, heading ${degrees}\u00b0`,
     shows: (node: string, turtles: readonly string[], count: number): string =>
       count === 0
         ? `Drawing of ${node}: no turtle`
@@ -269,8 +263,7 @@ export const panelTexts = {
   timeline: {
     none: 'Add a field whose states should be seen: a flag, a mode, a text.',
     noState: 'not one value: add one of its fields',
-    of: (path: string, now: string): string =>
-      now === '' ? `States of ${path}: none yet` : `States of ${path}, now ${now}`,
+    of: (path: string, now: string): string => now === '' ? `States of ${path}: none yet` : `States of ${path}, now ${now}`,
   },
 
   terminal: {

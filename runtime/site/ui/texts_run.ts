@@ -7,15 +7,16 @@ export const runTexts = {
     defaults: 'Back to defaults',
     usual: (value: string): string => (value === '' ? 'default: empty' : `default: ${value}`),
     none: 'no default',
-    python: ({ program, tried }: { readonly program?: string; readonly tried: readonly string[] }): string =>
+    python: ({ program, tried }: { readonly program?: string; readonly tried: readonly string[]; }): string =>
       program !== undefined
         ? 'The launch file is written in Python: what only Python decides is asked of it again, in this page.'
         : tried.length === 0
-          ? 'The launch file is written in Python: what only Python decides stays as it was packed.'
-          : `The launch file is written in Python: what only Python decides was packed for each value of ${tried.join(', ')}; with other values it stays as it was packed.`,
+        ? 'The launch file is written in Python: what only Python decides stays as it was packed.'
+        : `The launch file is written in Python: what only Python decides was packed for each value of ${
+          tried.join(', ')
+        }; with other values it stays as it was packed.`,
     reran: 'Python was asked again for these values.',
-    decided:
-      'Some of what runs was decided in Python when the site was packed, for other values of the arguments.',
+    decided: 'Some of what runs was decided in Python when the site was packed, for other values of the arguments.',
   },
   seed: {
     label: 'Seed',

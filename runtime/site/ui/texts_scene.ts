@@ -8,8 +8,16 @@ export const sceneTexts = {
   noMapUpdate: 'an update does not fit the map',
   /** Below the icons on a phone; each is a part of what its button is called. */
   short: {
-    list: 'Shown', top: 'Above', home: 'Usual view', goal: 'Goal', estimate: 'Pose', point: 'Point', inspect: 'Inspect', measure: 'Measure',
-    rviz: 'RViz file', forget: 'Forget',
+    list: 'Shown',
+    top: 'Above',
+    home: 'Usual view',
+    goal: 'Goal',
+    estimate: 'Pose',
+    point: 'Point',
+    inspect: 'Inspect',
+    measure: 'Measure',
+    rviz: 'RViz file',
+    forget: 'Forget',
   },
   tools: {
     estimate: (topic: string): string => `Estimate the pose: publishes on ${topic}`,

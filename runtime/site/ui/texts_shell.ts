@@ -20,7 +20,8 @@ export const shellTexts = {
   badCount: (program: string, word: string): string => `${program}: invalid number of lines: \u2018${word}\u2019`,
   badOption: (program: string, word: string): string =>
     word.startsWith('-') ? `${program}: unrecognized option '${word}'` : `${program}: invalid option -- '${word}'`,
-  noFollow: 'tail: -f is not possible here: files do not grow while they are read. The panel Consoles follows what nodes print, and ros2 topic echo follows messages',
+  noFollow:
+    'tail: -f is not possible here: files do not grow while they are read. The panel Consoles follows what nodes print, and ros2 topic echo follows messages',
   cannotAccess: (program: string, name: string): string => `${program}: cannot access '${name}': No such file or directory`,
   noSuch: (program: string, name: string): string => `${program}: ${name}: No such file or directory`,
   notFolder: (program: string, name: string): string => `${program}: ${name}: Not a directory`,

@@ -15,7 +15,7 @@ function delayed(ms: number): string {
 
 export const topicTexts = {
   /** ms after the stamps in their headers. */
-  delay: ({ mean, least, most }: { readonly mean: number; readonly least: number; readonly most: number }): string =>
+  delay: ({ mean, least, most }: { readonly mean: number; readonly least: number; readonly most: number; }): string =>
     `delay ${delayed(mean)}${most - least < 0.1 ? '' : ` (${delayed(least)} to ${delayed(most)})`}`,
   ends: (topic: string): string => `Who takes part in ${topic}`,
   publishes: 'publishes',
@@ -30,8 +30,7 @@ export const topicTexts = {
       qos.liveliness === 'automatic' ? 'automatic liveliness' : 'liveliness manual by topic',
       qos.leaseNs === 0 ? 'no lease' : `lease\u00a0${span(qos.leaseNs)}`,
     ].join(', '),
-  misfit: (subscriber: string, publisher: string, policy: string): string =>
-    `${subscriber} gets nothing from ${publisher}: ${policy}`,
+  misfit: (subscriber: string, publisher: string, policy: string): string => `${subscriber} gets nothing from ${publisher}: ${policy}`,
   policies: {
     reliability: 'reliability (it wants reliable, best effort is offered)',
     durability: 'durability (it wants transient local, volatile is offered)',
@@ -46,8 +45,7 @@ export const topicTexts = {
   only: 'Only changes',
   first: 'There is no message before this one.',
   same: 'Nothing has changed.',
-  since: (count: number): string =>
-    count === 1 ? 'compared with the message before' : `compared with the one ${count} messages before, which was shown`,
+  since: (count: number): string => count === 1 ? 'compared with the message before' : `compared with the one ${count} messages before, which was shown`,
   was: (text: string): string => `was ${text}`,
   changed: 'changed',
   copyCommand: (topic: string): string => `Copy a command of ros2 for ${topic}`,

@@ -7,7 +7,9 @@ export const viewTexts = {
     noneMatch: 'Nothing in the graph matches the filter.',
     leftOut: (count: number): string => `The graph is too large to be drawn whole: ${count} more match. A filter shows the part you mean.`,
     count: (nodes: number, others: number): string =>
-      others === 0 ? `${nodes} ${nodes === 1 ? 'node' : 'nodes'}` : `${nodes} ${nodes === 1 ? 'node' : 'nodes'}, ${others} ${others === 1 ? 'topic, action or service' : 'topics, actions and services'}`,
+      others === 0
+        ? `${nodes} ${nodes === 1 ? 'node' : 'nodes'}`
+        : `${nodes} ${nodes === 1 ? 'node' : 'nodes'}, ${others} ${others === 1 ? 'topic, action or service' : 'topics, actions and services'}`,
     label: (count: string): string => `Graph: ${count}. Arrow keys go from one to the next, Enter chooses, plus and minus zoom, 0 shows all`,
     item: {
       node: (name: string): string => `Node ${name}`,
@@ -147,8 +149,7 @@ export const viewTexts = {
     filter: 'Filter frames',
     count: (count: number): string => (count === 1 ? '1 frame' : `${count} frames`),
     more: (count: number): string => `${count} more are not shown: the filter finds them.`,
-    apart: (count: number, roots: string): string =>
-      `${count} trees that do not hang together, below ${roots}. Between them nothing can be transformed.`,
+    apart: (count: number, roots: string): string => `${count} trees that do not hang together, below ${roots}. Between them nothing can be transformed.`,
     loop: (ring: string): string => `A ring of parents, so the place of these frames is unknown: ${ring}`,
     within: ' in ',
     refused: (count: number): string =>

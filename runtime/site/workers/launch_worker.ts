@@ -12,12 +12,18 @@ const longestRunMs = 60_000;
 
 /** The answer of the evaluator when it runs together with Python. `rest`: the question, a part of a JSON object. */
 export async function askWithPython(
-  site: SiteDescription, launch: LaunchView, data: string, rest: string, platform: Platform,
+  site: SiteDescription,
+  launch: LaunchView,
+  data: string,
+  rest: string,
+  platform: Platform,
 ): Promise<unknown> {
   const { program, archives } = launch.python ?? { archives: [] };
   if (program === undefined) throw new TypeError('the site has no Python');
   const [module, evaluator, parts] = await Promise.all([
-    platform.compile(program), platform.compile(launch.evaluator), new PythonFiles(site, platform).parts(program, archives),
+    platform.compile(program),
+    platform.compile(launch.evaluator),
+    new PythonFiles(site, platform).parts(program, archives),
   ]);
   const files = siteFiles(site, folderOf(platform.place));
   const shared = new Set(files.files.map(([path]) => path));
@@ -37,23 +43,36 @@ export async function askWithPython(
       void worker.terminate();
       end();
     };
-    const fail = (message: string): void => over(() => reject(new SiteError('R2W0733', `the launch file cannot be evaluated: ${message}`, {
-      why: 'these launch arguments lead to what only Python decides',
-      fix: 'leave them out to start the site as it was made',
-    })));
+    const fail = (message: string): void =>
+      over(() =>
+        reject(new SiteError('R2W0733', `the launch file cannot be evaluated: ${message}`, {
+          why: 'these launch arguments lead to what only Python decides',
+          fix: 'leave them out to start the site as it was made',
+        }))
+      );
     const limit = (ms: number): void => {
       clearTimeout(timer);
-      timer = setTimeout(() => over(() => reject(new SiteError('R2W0416', 'a launch file does not end', {
-        why: `it was given ${ms / 1000} seconds; its clock does not advance`,
-        fix: 'leave the launch arguments out to start the site as it was made',
-      }))), ms);
+      timer = setTimeout(() =>
+        over(() =>
+          reject(new SiteError('R2W0416', 'a launch file does not end', {
+            why: `it was given ${ms / 1000} seconds; its clock does not advance`,
+            fix: 'leave the launch arguments out to start the site as it was made',
+          }))
+        ), ms);
     };
     limit(longestLoadingMs);
     worker.post({
       t: 'launch',
       module,
       start: {
-        base: folderOf(platform.place), home: homeOf(program), archives, parts, evaluator, data, rest, files,
+        base: folderOf(platform.place),
+        home: homeOf(program),
+        archives,
+        parts,
+        evaluator,
+        data,
+        rest,
+        files,
         listed: site.files.filter(({ path }) => shared.has(path)),
       },
     }, []);

@@ -40,7 +40,9 @@ export interface WorkerPlace {
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */
 export function serveWorker(
-  post: (report: WorkerReport) => void, readNow: ReadNow, place: WorkerPlace,
+  post: (report: WorkerReport) => void,
+  readNow: ReadNow,
+  place: WorkerPlace,
 ): (order: WorkerOrder) => void {
   const run = async (start: WorkerStart): Promise<void> => {
     let link: Link;

@@ -51,7 +51,7 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addre
         // The last script; what runs now may be of the site.
         doors = undefined;
       }
-      return (scope as unknown as { loadPyodide: typeof loadPyodide }).loadPyodide;
+      return (scope as unknown as { loadPyodide: typeof loadPyodide; }).loadPyodide;
     },
     bytes: async (place) => {
       const parts = await Promise.all(addressesOf(place).map(async (address) => {
@@ -64,7 +64,7 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addre
   },
   python: async (base) => {
     load(`${base}python_worker.js`);
-    return (scope as unknown as { ros2wasmPython: PythonRuntime }).ros2wasmPython;
+    return (scope as unknown as { ros2wasmPython: PythonRuntime; }).ros2wasmPython;
   },
   openChannel: (name) => {
     if (doors?.openChannel === undefined) throw new Error('this browser has no way between tabs');

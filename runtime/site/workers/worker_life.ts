@@ -5,7 +5,7 @@
 const restMs = 4000;
 
 function lockManager(): LockManager | undefined {
-  return (navigator as { locks?: LockManager }).locks;
+  return (navigator as { locks?: LockManager; }).locks;
 }
 
 /** Name of a lock for one worker. */

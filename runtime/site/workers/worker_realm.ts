@@ -16,8 +16,19 @@ export const taken: readonly Taken[] = [
   },
   {
     scope: [
-      'indexedDB', 'IDBFactory', 'IDBDatabase', 'IDBObjectStore', 'IDBTransaction', 'IDBIndex', 'IDBCursor', 'IDBCursorWithValue',
-      'IDBKeyRange', 'IDBOpenDBRequest', 'IDBRequest', 'IDBVersionChangeEvent', 'IDBRecord',
+      'indexedDB',
+      'IDBFactory',
+      'IDBDatabase',
+      'IDBObjectStore',
+      'IDBTransaction',
+      'IDBIndex',
+      'IDBCursor',
+      'IDBCursorWithValue',
+      'IDBKeyRange',
+      'IDBOpenDBRequest',
+      'IDBRequest',
+      'IDBVersionChangeEvent',
+      'IDBRecord',
     ],
     why: 'notebooks of visitors are stored there',
   },
@@ -28,8 +39,15 @@ export const taken: readonly Taken[] = [
   },
   {
     scope: [
-      'webkitRequestFileSystem', 'webkitRequestFileSystemSync', 'webkitResolveLocalFileSystemURL', 'webkitResolveLocalFileSystemSyncURL',
-      'FileSystemHandle', 'FileSystemFileHandle', 'FileSystemDirectoryHandle', 'FileSystemSyncAccessHandle', 'FileSystemWritableFileStream',
+      'webkitRequestFileSystem',
+      'webkitRequestFileSystemSync',
+      'webkitResolveLocalFileSystemURL',
+      'webkitResolveLocalFileSystemSyncURL',
+      'FileSystemHandle',
+      'FileSystemFileHandle',
+      'FileSystemDirectoryHandle',
+      'FileSystemSyncAccessHandle',
+      'FileSystemWritableFileStream',
       'FileSystemObserver',
     ],
     why: 'files of the origin; a node has its own, in memory',
@@ -94,10 +112,10 @@ function takeFrom(object: object, name: string): void {
 /** Takes it all from the worker whose scope that is. To be called once, before anything else runs. */
 export function closeRealm(scope: DedicatedWorkerGlobalScope): KeptDoors {
   const { navigator } = scope;
-  const Channel = (scope as { BroadcastChannel?: typeof BroadcastChannel }).BroadcastChannel;
+  const Channel = (scope as { BroadcastChannel?: typeof BroadcastChannel; }).BroadcastChannel;
   const doors: KeptDoors = {
     importScripts: scope.importScripts.bind(scope),
-    locks: (navigator as { locks?: LockManager }).locks,
+    locks: (navigator as { locks?: LockManager; }).locks,
     openChannel: Channel === undefined ? undefined : (name) => new Channel(name),
   };
   for (const { scope: ofScope = [], navigator: ofNavigator = [] } of taken) {

@@ -35,8 +35,7 @@ const HERE = dirname(fileURLToPath(import.meta.url));
 const files = [...interfaceFiles(), ...interfaceFiles(HERE, ['edge_interfaces'])];
 const schemas = schemasOf(files);
 // A type with a wstring inside is compared with the encoder of ros2wasm only: the npm packages refuse it.
-const hasWideText = (type: string): boolean =>
-  definitionsFor(schemas, type).some((one) => one.definitions.some((field) => field.type === 'wstring'));
+const hasWideText = (type: string): boolean => definitionsFor(schemas, type).some((one) => one.definitions.some((field) => field.type === 'wstring'));
 
 let wasm: Driver;
 let native: Driver;
@@ -62,8 +61,10 @@ describe('CDR', () => {
     const answers = wasm.ask(
       types.flatMap((_, index) =>
         Array.from({ length: ROUNDS }, (__, round) => ({
-          operation: 'f' as const, type: index, bytes: seedBytes(index * 100 + round),
-        })),
+          operation: 'f' as const,
+          type: index,
+          bytes: seedBytes(index * 100 + round),
+        }))
       ),
     );
     answers.forEach((answer, at) => {
@@ -84,11 +85,13 @@ describe('CDR', () => {
         Array.from({ length: ROUNDS }, (_, round) => {
           const value = randomMessage(schemas, type.name, new Random(index * 1000 + round));
           return { type: type.name, index, value, little: encode(schemas, type.name, value, true) };
-        }),
+        })
       );
       const answers = wasm.ask(
         sent.map(({ type, index, value }) => ({
-          operation: 'd', type: index, bytes: encode(schemas, type, value, little),
+          operation: 'd',
+          type: index,
+          bytes: encode(schemas, type, value, little),
         })),
       );
       answers.forEach((answer, at) => {
@@ -120,7 +123,7 @@ describe('CDR', () => {
         bytes: Uint8Array.from(Buffer.from(hex, 'hex')),
       })),
     );
-    answers.forEach((answer, at) => assert.deepEqual(answer.json, vectors[at]?.[2], vectors[at]?.[1] ?? ""));
+    answers.forEach((answer, at) => assert.deepEqual(answer.json, vectors[at]?.[2], vectors[at]?.[1] ?? ''));
     const twist = types.findIndex((one) => one.name === 'geometry_msgs/msg/Twist');
     const [filled] = wasm.ask([{ operation: 'f', type: twist, bytes: seedBytes(1) }]);
     assert.equal(filled?.bytes.length, 52);
@@ -146,7 +149,7 @@ describe('CDR', () => {
       const answers = driver().ask(
         types.map((_, index) => ({ operation: 'h', type: index, bytes: seedBytes(index + 1) })),
       );
-      const counts = answers.map((answer) => answer.json as { tried: number; accepted: number });
+      const counts = answers.map((answer) => answer.json as { tried: number; accepted: number; });
       assert.ok(counts.every((one) => one.tried >= 90));
     });
   }

@@ -4,7 +4,7 @@ import type { MessageDefinitionField } from '@foxglove/message-definition';
 
 import type { Schemas } from './schemas.ts';
 
-export type Value = number | bigint | boolean | string | Value[] | { [name: string]: Value };
+export type Value = number | bigint | boolean | string | Value[] | { [name: string]: Value; };
 
 /** Mulberry32: small, the same everywhere. */
 export class Random {
@@ -66,8 +66,8 @@ function randomOne(schemas: Schemas, field: MessageDefinitionField, random: Rand
   }
 }
 
-export function randomMessage(schemas: Schemas, type: string, random: Random): { [name: string]: Value } {
-  const message: { [name: string]: Value } = {};
+export function randomMessage(schemas: Schemas, type: string, random: Random): { [name: string]: Value; } {
+  const message: { [name: string]: Value; } = {};
   for (const field of schemas.get(type) ?? []) {
     if (field.isArray !== true) {
       message[field.name] = randomOne(schemas, field, random);
@@ -103,7 +103,7 @@ class Writer {
 
 function writeOne(schemas: Schemas, field: MessageDefinitionField, value: Value, to: Writer): void {
   if (field.isComplex === true) {
-    writeMessage(schemas, field.type, value as { [name: string]: Value }, to);
+    writeMessage(schemas, field.type, value as { [name: string]: Value; }, to);
     return;
   }
   const integer = INTEGERS.get(field.type);
@@ -132,7 +132,7 @@ function writeOne(schemas: Schemas, field: MessageDefinitionField, value: Value,
   }
 }
 
-function writeMessage(schemas: Schemas, type: string, message: { [name: string]: Value }, to: Writer): void {
+function writeMessage(schemas: Schemas, type: string, message: { [name: string]: Value; }, to: Writer): void {
   const fields = schemas.get(type) ?? [];
   if (fields.length === 0) to.put(1, (view) => view.setUint8(0, 0));
   for (const field of fields) {
@@ -148,7 +148,7 @@ function writeMessage(schemas: Schemas, type: string, message: { [name: string]:
   }
 }
 
-export function encode(schemas: Schemas, type: string, message: { [name: string]: Value }, little: boolean): Uint8Array {
+export function encode(schemas: Schemas, type: string, message: { [name: string]: Value; }, little: boolean): Uint8Array {
   const to = new Writer(little);
   writeMessage(schemas, type, message, to);
   return to.finish();

@@ -38,11 +38,23 @@ const SECTION_NAMES: Readonly<Record<InterfaceKind, readonly string[]>> = {
 };
 
 const PRIMITIVES: ReadonlySet<string> = new Set([
-  'bool', 'byte', 'char', 'float32', 'float64', 'int8', 'uint8', 'int16', 'uint16', 'int32',
-  'uint32', 'int64', 'uint64', 'string', 'wstring',
+  'bool',
+  'byte',
+  'char',
+  'float32',
+  'float64',
+  'int8',
+  'uint8',
+  'int16',
+  'uint16',
+  'int32',
+  'uint32',
+  'int64',
+  'uint64',
+  'string',
+  'wstring',
 ]);
-const TYPE =
-  /^(?<base>[a-z][a-z0-9_]*|(?:[a-z][a-z0-9_]*\/)?[A-Z][A-Za-z0-9]*)(?:<=(?<bound>[1-9]\d*))?(?<array>\[(?<limit><=)?(?<size>[1-9]\d*)?\])?$/;
+const TYPE = /^(?<base>[a-z][a-z0-9_]*|(?:[a-z][a-z0-9_]*\/)?[A-Z][A-Za-z0-9]*)(?:<=(?<bound>[1-9]\d*))?(?<array>\[(?<limit><=)?(?<size>[1-9]\d*)?\])?$/;
 const FIELD = /^(?<type>\S+) +(?<name>[a-z][a-z0-9_]*)(?: +(?<value>\S.*))?$/;
 const CONSTANT = /^(?<type>\S+) +(?<name>[A-Z][A-Z0-9_]*)=(?<value>\S.*)$/;
 

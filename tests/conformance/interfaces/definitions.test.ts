@@ -21,10 +21,31 @@ const DIGESTS = {
   'packages that many use with it': { count: 446, digest: '733b725a828285e3ac60d726a06d8ee6edb2e634a2ccca06d939ef63b096d25d' },
 } as const;
 const USED_WITH_IT = new Set([
-  'ackermann_msgs', 'action_tutorials_interfaces', 'apriltag_msgs', 'bond', 'can_msgs', 'control_msgs', 'controller_manager_msgs',
-  'gazebo_msgs', 'geographic_msgs', 'gps_msgs', 'irobot_create_msgs', 'map_msgs', 'moveit_msgs', 'nav2_msgs', 'nav_2d_msgs',
-  'object_recognition_msgs', 'octomap_msgs', 'pcl_msgs', 'ros_gz_interfaces', 'rosbag2_interfaces', 'simulation_interfaces', 'test_msgs',
-  'topic_tools_interfaces', 'turtlebot3_msgs', 'vision_msgs',
+  'ackermann_msgs',
+  'action_tutorials_interfaces',
+  'apriltag_msgs',
+  'bond',
+  'can_msgs',
+  'control_msgs',
+  'controller_manager_msgs',
+  'gazebo_msgs',
+  'geographic_msgs',
+  'gps_msgs',
+  'irobot_create_msgs',
+  'map_msgs',
+  'moveit_msgs',
+  'nav2_msgs',
+  'nav_2d_msgs',
+  'object_recognition_msgs',
+  'octomap_msgs',
+  'pcl_msgs',
+  'ros_gz_interfaces',
+  'rosbag2_interfaces',
+  'simulation_interfaces',
+  'test_msgs',
+  'topic_tools_interfaces',
+  'turtlebot3_msgs',
+  'vision_msgs',
 ]);
 
 interface NormalSection {
@@ -36,9 +57,7 @@ type NormalForm = Record<string, NormalSection | Record<string, NormalSection>>;
 function normalSection(section: Section): NormalSection {
   return {
     constants: section.constants.map((c) => [c.type, c.name, c.value]),
-    fields: section.fields.map((f) =>
-      f.defaultValue === undefined ? [f.type, f.name] : [f.type, f.name, f.defaultValue],
-    ),
+    fields: section.fields.map((f) => f.defaultValue === undefined ? [f.type, f.name] : [f.type, f.name, f.defaultValue]),
   };
 }
 
@@ -113,7 +132,7 @@ describe('interface definitions', () => {
 
 describe('versions', () => {
   const versions = JSON.parse(readFileSync(join(REPOSITORY, 'runtime', 'versions.json'), 'utf8')) as {
-    packages: Record<string, { version: string }>;
+    packages: Record<string, { version: string; }>;
   };
 
   test('every interface package has the version that versions.json names', () => {

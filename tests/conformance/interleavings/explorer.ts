@@ -10,7 +10,7 @@ export interface Run {
   /** From a process that may die to the process that starts then (the broker, clearing up); indices of processes. */
   readonly mortal: ReadonlyMap<number, number>;
   /** Goes on alone, before all others, until it is about to store to the word. */
-  readonly lead: { readonly process: number; readonly word: number } | undefined;
+  readonly lead: { readonly process: number; readonly word: number; } | undefined;
   /** Back to the beginning. */
   restore(): void;
   /** Called when nobody can go on. Throws when something is not as it must be. */

@@ -60,7 +60,11 @@ export function reply(hands: Hands, endpoint: number, length: number): number {
 
 /** The broker ends a participant, and another one begins to publish at once. */
 export function succeed(
-  broker: SharedBroker, ended: number, hands: Hands, description: EndpointDescription, messages: readonly Message[],
+  broker: SharedBroker,
+  ended: number,
+  hands: Hands,
+  description: EndpointDescription,
+  messages: readonly Message[],
 ): void {
   broker.end(ended);
   joinAndPublish(hands, description, messages);
@@ -105,8 +109,12 @@ export function publishThen(hands: Hands, endpoint: number, messages: readonly M
 
 /** Listens to one endpoint, and then, without another look at it, to the next. */
 export function listenThen(
-  hands: Hands, endpoint: number, received: Received[], enough: (received: readonly Received[]) => boolean,
-  next: number, after: Received[],
+  hands: Hands,
+  endpoint: number,
+  received: Received[],
+  enough: (received: readonly Received[]) => boolean,
+  next: number,
+  after: Received[],
 ): void {
   listen(hands, endpoint, received, enough);
   takeAsItComes(hands, next, after);
@@ -148,7 +156,11 @@ export function awaitMatched(hands: Hands, endpoint: number, count: number): voi
 
 /** Becomes visible, notes how much the writer had done by then, and listens until it is alone. */
 export function joinAndListen(
-  hands: Hands, description: EndpointDescription, received: Received[], written: readonly number[], promised: number[],
+  hands: Hands,
+  description: EndpointDescription,
+  received: Received[],
+  written: readonly number[],
+  promised: number[],
 ): void {
   const endpoint = hands.link.endpointCreate(description);
   if (endpoint < 0) throw new Error(`endpointCreate: ${endpoint}`);

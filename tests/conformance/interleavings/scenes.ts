@@ -43,7 +43,7 @@ function ordered(received: readonly Received[], what: string): void {
 /** A publisher that has written `before` messages and a subscription that has read none of them. */
 function pair(
   laboratory: Laboratory,
-  { before = 0, length = 8, qos = {}, pages = 64 }: { before?: number; length?: number; qos?: Partial<EndpointQos>; pages?: number } = {},
+  { before = 0, length = 8, qos = {}, pages = 64 }: { before?: number; length?: number; qos?: Partial<EndpointQos>; pages?: number; } = {},
 ) {
   const world = new SceneWorld(laboratory, { pages });
   const a = world.join();
@@ -317,7 +317,7 @@ export const scenes: readonly ExploredScene[] = [
       const sampler = new Sampler(world.broker);
       laboratory.now(sampler.sample(0));
       world.keep(sampler);
-      const seen = world.log<{ bytes: Uint8Array } | undefined>();
+      const seen = world.log<{ bytes: Uint8Array; } | undefined>();
       world.process('writer', () => publish(a, pub, numbered(9, 9), []));
       world.process('page', () => laboratory.code.look(sampler, '/x', seen));
       world.finally(() => {
@@ -418,7 +418,7 @@ function signals(word: number): boolean {
 /** A reader becomes visible while a writer writes, which then leaves. */
 function appearing(
   laboratory: Laboratory,
-  { before, length, qos, more, longer = length }: { before: number; length: number; qos: Partial<EndpointQos>; more: number; longer?: number },
+  { before, length, qos, more, longer = length }: { before: number; length: number; qos: Partial<EndpointQos>; more: number; longer?: number; },
 ): Run {
   const world = new SceneWorld(laboratory);
   const [a, b] = [world.join(), world.join()];
@@ -469,7 +469,8 @@ function ninthWriter(laboratory: Laboratory, mayDie: boolean): Run {
 
 /** A writer that may die; its reader reads what is there and learns that it is alone. */
 function dyingWriter(
-  laboratory: Laboratory, { before, length, qos, more }: { before: number; length: number; qos: Partial<EndpointQos>; more: number },
+  laboratory: Laboratory,
+  { before, length, qos, more }: { before: number; length: number; qos: Partial<EndpointQos>; more: number; },
 ): Run {
   const { world, a, b, pub, sub, written, received } = pair(laboratory, { before, length, qos });
   const { publishAndLeave, listen } = laboratory.code;

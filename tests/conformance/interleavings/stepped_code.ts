@@ -26,7 +26,7 @@ interface Context {
 }
 
 function isNode(value: unknown): value is AnyNode {
-  return typeof value === 'object' && value !== null && typeof (value as { type?: unknown }).type === 'string';
+  return typeof value === 'object' && value !== null && typeof (value as { type?: unknown; }).type === 'string';
 }
 
 function children(node: AnyNode): AnyNode[] {
@@ -117,8 +117,7 @@ function collect(node: AnyNode, names: Set<string>): void {
 function emit(node: AnyNode, context: Context): string {
   const { text, reaching, inConstructor } = context;
   const inner = (child: AnyNode): string => emit(child, context);
-  const point = (operation: string, ...args: readonly string[]): string =>
-    `(S.enter(S.${operation}, ${args.join(', ')}) && (yield), S.perform())`;
+  const point = (operation: string, ...args: readonly string[]): string => `(S.enter(S.${operation}, ${args.join(', ')}) && (yield), S.perform())`;
   if (isAsync(node)) return text.slice(node.start, node.end);
   if (isFunction(node) && reachesInside(node, reaching)) return emitFunction(node, context);
   if (node.type === 'MethodDefinition') {
@@ -203,10 +202,12 @@ function withConstants(text: string, constants: Readonly<Record<string, number>>
 
 /** `files` are stepped; the others they import are taken as they are, but for `constants` that are given anew. */
 export async function steppedBundle(
-  entry: string, files: readonly string[], constants: Readonly<Record<string, number>>,
+  entry: string,
+  files: readonly string[],
+  constants: Readonly<Record<string, number>>,
 ): Promise<string> {
   const names = new Set(calledBack);
-  const parsed = new Map<string, { text: string; tree: AnyNode }>();
+  const parsed = new Map<string, { text: string; tree: AnyNode; }>();
   for (const file of files) {
     const text = stripTypeScriptTypes(readFileSync(file, 'utf8'));
     parsed.set(file, { text, tree: parse(text, { ecmaVersion: 'latest', sourceType: 'module' }) });
@@ -216,7 +217,13 @@ export async function steppedBundle(
     for (const { tree } of parsed.values()) collect(tree, names);
   }
   const result = await build({
-    entryPoints: [entry], bundle: true, write: false, format: 'iife', globalName: 'stepped', target: 'es2024', logLevel: 'error',
+    entryPoints: [entry],
+    bundle: true,
+    write: false,
+    format: 'iife',
+    globalName: 'stepped',
+    target: 'es2024',
+    logLevel: 'error',
     plugins: [{
       name: 'stepped',
       setup: (plugin) => {

@@ -118,7 +118,7 @@ export class Stepper {
   memory = 0;
   memoryToo = 0;
   readonly timers: (() => unknown)[] = [];
-  private readonly outside = new Process(31, 'setup', function* () { /* Runs in drive(). */ }, false);
+  private readonly outside = new Process(31, 'setup', function*() {/* Runs in drive(). */}, false);
   /** Blocks of 1024 words that the run has changed. */
   readonly changed = new Set<number>();
   private readonly views = new WeakMap<object, Int32Array>();
@@ -272,7 +272,7 @@ export class Stepper {
   private range(array: Int32Array | Uint8Array, from: number, to: number, changes: boolean): boolean {
     const process = this.current;
     if (!isShared(array)) return false;
-    if (changes) for (let block = this.wordOf(array, from) >> 10; block <= this.wordOf(array, to) >> 10; block += 1) this.changed.add(block);
+    if (changes) { for (let block = this.wordOf(array, from) >> 10; block <= this.wordOf(array, to) >> 10; block += 1) this.changed.add(block); }
     if (process === undefined) return false;
     let contended = false;
     for (let word = this.wordOf(array, from); word <= this.wordOf(array, Math.max(from, to - 1)); word += 1) {
@@ -296,7 +296,7 @@ export class Stepper {
   *slice(array: Int32Array | Uint8Array, from: number, to: number): Generator<undefined, unknown> {
     if (this.range(array, from, to, false)) yield;
     const copy = array.slice(from, to);
-    if (this.observed(array)) for (const value of copy) this.read(value);
+    if (this.observed(array)) { for (const value of copy) this.read(value); }
     return copy;
   }
 

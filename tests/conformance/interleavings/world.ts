@@ -78,7 +78,7 @@ export class SceneWorld {
   private readonly mortal = new Map<number, number>();
   private readonly checks: (() => void)[] = [];
   private readonly state: object[] = [];
-  private lead: { process: number; word: number } | undefined;
+  private lead: { process: number; word: number; } | undefined;
 
   constructor(laboratory: Laboratory, { participants = 6, pages = 64, endpoints = 8 }: SceneOptions = {}) {
     this.laboratory = laboratory;
@@ -92,7 +92,7 @@ export class SceneWorld {
   }
 
   /** A participant with a node of its own (its handle is the participant's index - 1). */
-  join(): programs.Hands & { readonly node: number; readonly participant: number } {
+  join(): programs.Hands & { readonly node: number; readonly participant: number; } {
     const { laboratory, broker } = this;
     const participant = laboratory.now(broker.bus.claimParticipant());
     const hands = this.thread({ participant });
@@ -100,7 +100,7 @@ export class SceneWorld {
   }
 
   /** One more thread of a participant. */
-  thread({ participant }: { participant: number }): programs.Hands {
+  thread({ participant }: { participant: number; }): programs.Hands {
     const { laboratory, broker } = this;
     const bus = new laboratory.code.Bus(broker.bus.memory);
     const link = new laboratory.code.SharedLink({ bus, participant, mayBlock: true });
@@ -110,19 +110,19 @@ export class SceneWorld {
     return { link, heap };
   }
 
-  describe({ node }: { node: number }, kind: number, qos: Partial<EndpointQos> = {}, name = '/x'): EndpointDescription {
+  describe({ node }: { node: number; }, kind: number, qos: Partial<EndpointQos> = {}, name = '/x'): EndpointDescription {
     return { kind, node, name, type: 't', hash: '', qos: { ...volatileQos, ...qos }, flags: 0 };
   }
 
-  create(hands: programs.Hands & { node: number }, kind: number, qos: Partial<EndpointQos> = {}, name = '/x'): number {
+  create(hands: programs.Hands & { node: number; }, kind: number, qos: Partial<EndpointQos> = {}, name = '/x'): number {
     return this.laboratory.now(hands.link.endpointCreate(this.describe(hands, kind, qos, name)));
   }
 
-  publisher(hands: programs.Hands & { node: number }, qos: Partial<EndpointQos> = {}, name = '/x'): number {
+  publisher(hands: programs.Hands & { node: number; }, qos: Partial<EndpointQos> = {}, name = '/x'): number {
     return this.create(hands, EndpointKind.publisher, qos, name);
   }
 
-  subscription(hands: programs.Hands & { node: number }, qos: Partial<EndpointQos> = {}, name = '/x'): number {
+  subscription(hands: programs.Hands & { node: number; }, qos: Partial<EndpointQos> = {}, name = '/x'): number {
     return this.create(hands, EndpointKind.subscription, qos, name);
   }
 

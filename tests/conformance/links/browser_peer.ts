@@ -6,7 +6,7 @@ import { servePeer } from './peer.ts';
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 const handle = servePeer((message) => scope.postMessage(message));
 let held = Promise.resolve();
-scope.onmessage = ({ data }: MessageEvent<{ life?: string }>) => {
+scope.onmessage = ({ data }: MessageEvent<{ life?: string; }>) => {
   if (data.life !== undefined) held = holdLife(data.life, navigator.locks);
   else void held.then(() => handle(data));
 };

@@ -56,7 +56,7 @@ for (const kind of ['shared', 'port'] as const) {
       if (between !== 'TypeScript' && (inNode.has(name) || !isPlayed('Chromium', kind, index))) continue;
       test(`Chromium, ${kind}, ${between}: ${name}`, { timeout: watchdogMs }, async () => {
         const outcome = await page.evaluate(([k, n, b]) => {
-          const run = (globalThis as unknown as { runScene: (kind: string, name: string, between: string) => Promise<string | undefined> }).runScene;
+          const run = (globalThis as unknown as { runScene: (kind: string, name: string, between: string) => Promise<string | undefined>; }).runScene;
           return run(k, n, b);
         }, [kind, name, between] as const);
         assert.equal(outcome, undefined);

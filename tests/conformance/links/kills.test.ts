@@ -22,12 +22,14 @@ function until(condition: () => boolean, state: () => string): Promise<void> {
   });
 }
 
-for (const { what, largest, qos } of [
-  { what: 'small messages, depth 10', largest: 200, qos: {} },
-  { what: 'mixed sizes, depth 3', largest: 20_000, qos: { depth: 3 } },
-  { what: 'keep_all with back pressure', largest: 500, qos: { history: 2 } },
-  { what: 'large messages, best effort', largest: 300_000, qos: { reliability: 2, depth: 2 } },
-]) {
+for (
+  const { what, largest, qos } of [
+    { what: 'small messages, depth 10', largest: 200, qos: {} },
+    { what: 'mixed sizes, depth 3', largest: 20_000, qos: { depth: 3 } },
+    { what: 'keep_all with back pressure', largest: 500, qos: { history: 2 } },
+    { what: 'large messages, best effort', largest: 300_000, qos: { reliability: 2, depth: 2 } },
+  ]
+) {
   test(`writers die while they write: ${what}`, watchdog, async () => {
     const world = new World('shared', startNodeWorker);
     const { broker } = world;

@@ -128,7 +128,7 @@ export class Peer {
 
   /** Writes for ever: every sample is filled with the low byte of its number, in sizes that vary up to `largest`. */
   async flood(endpoint: number, largest: number): Promise<never> {
-    for (let i = 1; ; i += 1) {
+    for (let i = 1;; i += 1) {
       const result = await this.write(endpoint, new Uint8Array(1 + (i * 7919) % largest).fill(i & 255));
       if (result < 0) throw new Error(`write: ${result}`);
     }
@@ -226,7 +226,7 @@ export class Peer {
 
   /** Serves until a request begins with byte 255: the answer is the request with every byte one more. */
   async serve(endpoint: number): Promise<number> {
-    for (let served = 0; ; served += 1) {
+    for (let served = 0;; served += 1) {
       const request = await this.takeNext(endpoint);
       const { relatedSequence, relatedGid } = request;
       await this.write(endpoint, request.bytes.map((byte) => byte + 1), { relatedSequence, relatedGid });
@@ -263,7 +263,7 @@ export class Peer {
 
   /** Waits until the counter of a status has reached `count`. */
   async waitStatus(endpoint: number, kind: StatusKind, count: number): Promise<EndpointStatus> {
-    for (let change = 0; ;) {
+    for (let change = 0;;) {
       const token = this.link.wakeToken();
       const status = this.link.status(endpoint, kind);
       change += status?.totalChange ?? 0;
@@ -361,14 +361,14 @@ export class Peer {
   }
 }
 
-export type PeerCall = { [K in keyof Peer]: Peer[K] extends (...args: never[]) => unknown ? K : never }[keyof Peer];
+export type PeerCall = { [K in keyof Peer]: Peer[K] extends (...args: never[]) => unknown ? K : never; }[keyof Peer];
 
 /** Connects a Peer with the scene: `{call, args}` in, `{value}` or `{error}` out. */
 export function servePeer(post: (message: unknown) => void): (message: unknown) => Promise<void> {
   let peer: Peer | undefined;
   let tail = Promise.resolve();
   const run = async (message: unknown): Promise<void> => {
-    const request = message as { ticket?: LinkTicket; call?: PeerCall; args?: unknown[] };
+    const request = message as { ticket?: LinkTicket; call?: PeerCall; args?: unknown[]; };
     try {
       if (request.ticket !== undefined) {
         peer = new Peer(openLink(request.ticket, true));

@@ -4,7 +4,7 @@ import type { loadPyodide } from 'pyodide';
 import { holdLife } from '../../../runtime/site/workers/worker_life.ts';
 import { servePythonPeer } from './python_serving.ts';
 
-const scope = self as unknown as DedicatedWorkerGlobalScope & { readonly loadPyodide: typeof loadPyodide };
+const scope = self as unknown as DedicatedWorkerGlobalScope & { readonly loadPyodide: typeof loadPyodide; };
 const base = new URL('./', scope.location.href).href;
 const home = 'pyodide/';
 const handle = servePythonPeer((message) => scope.postMessage(message), {
@@ -21,7 +21,7 @@ const handle = servePythonPeer((message) => scope.postMessage(message), {
   line: (text) => console.error(text),
 });
 let held = Promise.resolve();
-scope.onmessage = ({ data }: MessageEvent<{ life?: string }>) => {
+scope.onmessage = ({ data }: MessageEvent<{ life?: string; }>) => {
   if (data.life !== undefined) held = holdLife(data.life, navigator.locks);
   else void held.then(() => handle(data));
 };

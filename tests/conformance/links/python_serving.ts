@@ -81,10 +81,11 @@ export function servePythonPeer(post: (message: unknown) => void, place: PythonP
 
   /** Standard input of the program: a byte for each command. */
   const input = {
-    read: () => new Promise<Uint8Array>((resolve) => {
-      wanted = resolve;
-      pass();
-    }),
+    read: () =>
+      new Promise<Uint8Array>((resolve) => {
+        wanted = resolve;
+        pass();
+      }),
   };
 
   Object.assign(globalThis, {
@@ -98,8 +99,17 @@ export function servePythonPeer(post: (message: unknown) => void, place: PythonP
 
   async function run(): Promise<void> {
     const host = {
-      link: anyLink, arguments: ['peer'], environment: {}, idle: () => undefined, input, random: undefined, sent: undefined,
-      stepped: false, files: { prefix: '/opt/ros/jazzy', place: '', files: [] }, readNow: () => undefined, tell: () => 0,
+      link: anyLink,
+      arguments: ['peer'],
+      environment: {},
+      idle: () => undefined,
+      input,
+      random: undefined,
+      sent: undefined,
+      stepped: false,
+      files: { prefix: '/opt/ros/jazzy', place: '', files: [] },
+      readNow: () => undefined,
+      tell: () => 0,
       line: (_stream: string, text: string) => place.line(text),
     } as unknown as ProgramHost;
     const { base, home } = place;

@@ -23,7 +23,9 @@ export function putPeerArchive(folder: string): void {
   mkdirSync(dirname(entry), { recursive: true });
   copyFileSync(fileURLToPath(new URL('python_peer.py', import.meta.url)), entry);
   execFileSync('python3', [
-    join(root, 'tests/support/make_archive.py'), join(folder, peerArchive), `${dirname(entry)}=${dirname(peerEntry)}`,
+    join(root, 'tests/support/make_archive.py'),
+    join(folder, peerArchive),
+    `${dirname(entry)}=${dirname(peerEntry)}`,
     ...['rclpy', 'ros2wasm'].map((name) => `${join(root, 'runtime/packages/client/rclpy', name)}=lib/python3.12/site-packages/${name}`),
   ]);
   rmSync(made, { recursive: true });

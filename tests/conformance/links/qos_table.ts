@@ -75,7 +75,7 @@ export const qosTable: readonly QosPolicy[] = [
 /** One cell of every policy at once: all that there are. */
 export function* qosCombinations(
   policies: readonly QosPolicy[] = qosTable,
-): Generator<{ offer: Partial<EndpointQos>; ask: Partial<EndpointQos>; blamed: PolicyKind }> {
+): Generator<{ offer: Partial<EndpointQos>; ask: Partial<EndpointQos>; blamed: PolicyKind; }> {
   const [first, ...others] = policies;
   if (first === undefined) {
     yield { offer: {}, ask: {}, blamed: PolicyKind.none };

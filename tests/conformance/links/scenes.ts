@@ -3,9 +3,7 @@
 // Compatibility, works: shared-memory link and port link: matching, order, depth, transient_local,
 // services
 
-import {
-  BusSizes, Durability, ErrorCode, History, PolicyKind, Reliability, StatusKind, WaitResult,
-} from '../../../runtime/protocol/generated/constants.ts';
+import { BusSizes, Durability, ErrorCode, History, PolicyKind, Reliability, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
 import type { World } from './world.ts';
 
@@ -89,7 +87,7 @@ export const scenes: readonly Scene[] = [
       await b.call('waitStatus', type, StatusKind.subscriptionIncompatibleType, 1);
       await a.call('waitStatus', pub, StatusKind.publisherIncompatibleType, 1);
       await a.call('writeMany', pub, 1, 1);
-      equal((await b.call('takeUntil', right, 1)), [1], 'right one');
+      equal(await b.call('takeUntil', right, 1), [1], 'right one');
       for (const sub of [name, type, hash]) equal(await b.call('take', sub), undefined, 'wrong one');
     },
   },
@@ -352,7 +350,7 @@ export const scenes: readonly Scene[] = [
       await b.call('waitMatched', cb, 1);
       await s.call('waitMatched', server, 2);
       const serving = await s.begin('serve', server);
-      const asked: { peer: typeof a; client: number; byte: number; sequence: number }[] = [];
+      const asked: { peer: typeof a; client: number; byte: number; sequence: number; }[] = [];
       for (let i = 0; i < 50; i += 1) {
         for (const [peer, client, base] of [[a, ca, 0], [b, cb, 100]] as const) {
           const byte = base + i;
@@ -476,10 +474,9 @@ export const scenes: readonly Scene[] = [
       const { nodes, endpoints } = await b.call('waitGraph', 2);
       equal(nodes.map(({ name, namespace }) => [namespace, name]), [['/ns', 'talker']], 'nodes');
       const [first, second] = endpoints;
-      equal([first?.kind, first?.name, first?.type, first?.hash, first?.node],
-        [1, '/ns/chatter', 'std_msgs/msg/String', 'RIHS01_a', 0], 'publisher');
-      equal([first?.qos.depth, first?.qos.reliability, first?.qos.durability, String(first?.qos.deadline), String(first?.qos.lifespan)],
-        [7, Reliability.bestEffort, Durability.transientLocal, '5000000000', '3'], 'qos');
+      equal([first?.kind, first?.name, first?.type, first?.hash, first?.node], [1, '/ns/chatter', 'std_msgs/msg/String', 'RIHS01_a', 0], 'publisher');
+      equal([first?.qos.depth, first?.qos.reliability, first?.qos.durability, String(first?.qos.deadline), String(first?.qos.lifespan)], [7,
+        Reliability.bestEffort, Durability.transientLocal, '5000000000', '3'], 'qos');
       equal(hex(first?.gid ?? new Uint8Array()), hex(await a.call('gid', pub)), 'gid');
       equal([second?.kind, second?.name], [4, '/ns/add'], 'server');
       await a.call('destroyNode', node);

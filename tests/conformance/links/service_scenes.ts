@@ -6,10 +6,8 @@
 import { check, equal, range, type Scene } from './scenes.ts';
 import type { RemotePeer, World } from './world.ts';
 
-const server = async (peer: RemotePeer): Promise<number> =>
-  await peer.call('server', { node: await peer.call('node', 'server'), name: '/serve' });
-const client = async (peer: RemotePeer): Promise<number> =>
-  await peer.call('client', { node: await peer.call('node', 'client'), name: '/serve' });
+const server = async (peer: RemotePeer): Promise<number> => await peer.call('server', { node: await peer.call('node', 'server'), name: '/serve' });
+const client = async (peer: RemotePeer): Promise<number> => await peer.call('client', { node: await peer.call('node', 'client'), name: '/serve' });
 
 async function called(world: World) {
   const [s, a] = [await world.peer(), await world.peer()];

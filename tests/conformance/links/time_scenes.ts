@@ -68,8 +68,7 @@ export const timeScenes: readonly Scene[] = [
       await hold(world, time, [a, b]);
       const sleeping = await a.begin('sleep', 20);
       const waiting = await b.begin('waitOut', 20);
-      equal(await endsAt(time, 20, Promise.all([sleeping.result, waiting.result]), 'sleep or wait'),
-        [WaitResult.woken, WaitResult.timeout], 'results');
+      equal(await endsAt(time, 20, Promise.all([sleeping.result, waiting.result]), 'sleep or wait'), [WaitResult.woken, WaitResult.timeout], 'results');
       time.close();
     },
   },

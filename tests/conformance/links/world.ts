@@ -13,14 +13,14 @@ export interface RawWorker {
   release?(): void;
 }
 
-type Answer = { value?: unknown; error?: string; begun?: string };
+type Answer = { value?: unknown; error?: string; begun?: string; };
 
 /** A worker that carries out Peer's methods. Calls queue up. */
 export class RemotePeer {
   readonly participant: number;
   private readonly raw: RawWorker;
   private readonly broker: Broker;
-  private readonly pending: { resolve: (value: unknown) => void; reject: (error: Error) => void; begun: () => void }[] = [];
+  private readonly pending: { resolve: (value: unknown) => void; reject: (error: Error) => void; begun: () => void; }[] = [];
   private burial: Promise<void> | undefined;
 
   constructor(raw: RawWorker, broker: Broker, participant: number) {
@@ -52,8 +52,9 @@ export class RemotePeer {
 
   /** Resolves when the worker has begun the call; `result` when it has ended. */
   async begin<K extends PeerCall>(
-    call: K, ...args: Parameters<Peer[K]>
-  ): Promise<{ result: Promise<Awaited<ReturnType<Peer[K]>>> }> {
+    call: K,
+    ...args: Parameters<Peer[K]>
+  ): Promise<{ result: Promise<Awaited<ReturnType<Peer[K]>>>; }> {
     let begun: () => void = () => undefined;
     const started = new Promise<void>((resolve) => {
       begun = resolve;

@@ -2,7 +2,7 @@
 
 import type { Generator } from './generator.ts';
 
-type Listener = (event: { data: unknown }) => void;
+type Listener = (event: { data: unknown; }) => void;
 
 export class HandPort {
   /** The index of the owner of this end of a channel. */
@@ -45,7 +45,7 @@ export class HandPort {
   /** Hands the oldest message over. */
   deliver(): void {
     const data = this.inbox.shift();
-    const peer = (data as { peer?: { port: HandPort } }).peer;
+    const peer = (data as { peer?: { port: HandPort; }; }).peer;
     if (peer !== undefined) peer.port.owner = this.owner;
     this.listener?.({ data });
   }

@@ -72,7 +72,11 @@ export class Model {
     const sequence = writer.written.length + 1;
     const asks = writer.kind === EndpointKind.client;
     const sample: ModelSample = {
-      writer, sequence, bytes, order: this.order, client: asks ? writer : answered?.client,
+      writer,
+      sequence,
+      bytes,
+      order: this.order,
+      client: asks ? writer : answered?.client,
       relatedSequence: asks ? sequence : (answered?.relatedSequence ?? 0),
     };
     this.order += 1;

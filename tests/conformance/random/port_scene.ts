@@ -22,7 +22,7 @@ export class PortScene extends RandomScene {
     this.owed = model;
   }
 
-  protected admit(): { index: number; link: PortLink } {
+  protected admit(): { index: number; link: PortLink; } {
     const { participant, ticket } = this.broker.admit()!;
     if (ticket.kind !== 'port') throw new Error('not a port link');
     for (const port of [ticket.control, ...ticket.peers.map((peer) => peer.port)]) (port as unknown as HandPort).owner = participant;

@@ -1,9 +1,7 @@
 // One random scene: participants come, make endpoints, write, take, leave and die, call by call. What each call must
 // bring is said by the link's own scene: shared_scene.ts, port_scene.ts.
 
-import {
-  Durability, EndpointKind, ErrorCode, flagIgnoreLocal, History, Reliability, SampleInfoLayout,
-} from '../../../runtime/protocol/generated/constants.ts';
+import { Durability, EndpointKind, ErrorCode, flagIgnoreLocal, History, Reliability, SampleInfoLayout } from '../../../runtime/protocol/generated/constants.ts';
 import type { Link } from '../../../runtime/site/bus/link.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
 import { type Generator } from './generator.ts';
@@ -44,7 +42,7 @@ export abstract class RandomScene {
   protected readonly people: Participant[] = [];
   /** Third words of the gids. */
   protected readonly keys = new Map<ModelEndpoint, number>();
-  protected readonly heap: { u8: Uint8Array; i32: Int32Array };
+  protected readonly heap: { u8: Uint8Array; i32: Int32Array; };
   /** The steps that were done, for the report of a failure. */
   readonly story: string[] = [];
 
@@ -56,7 +54,7 @@ export abstract class RandomScene {
   }
 
   /** A new participant's place in the graph. */
-  protected abstract admit(): { readonly index: number; readonly link: Link };
+  protected abstract admit(): { readonly index: number; readonly link: Link; };
   /** It ends by itself, or dies. */
   protected abstract end(person: Participant, dies: boolean): void;
   /** The sample that a take must return, when it returned `length` bytes with sequence `sequence` of the writer with key `writer`. */
@@ -119,7 +117,9 @@ export abstract class RandomScene {
     const qos = randomQos(random);
     const flags = random.chance(20) ? flagIgnoreLocal : 0;
     const handle = person.link.endpointCreate({ kind, node: person.node, name, type: 't', hash: '', qos, flags });
-    this.story.push(`p${person.index} makes ${handle}: kind ${kind} ${name} history ${qos.history} depth ${qos.depth} durability ${qos.durability} reliability ${qos.reliability} flags ${flags}`);
+    this.story.push(
+      `p${person.index} makes ${handle}: kind ${kind} ${name} history ${qos.history} depth ${qos.depth} durability ${qos.durability} reliability ${qos.reliability} flags ${flags}`,
+    );
     if (handle < 0) throw new Error(`endpointCreate: ${handle}`);
     const model = this.model.create({ participant: person.index, kind, name, qos, flags });
     person.held.push({ model, handle, asked: [] });
@@ -136,8 +136,10 @@ export abstract class RandomScene {
 
   private write(person: Participant): void {
     const { random, heap } = this;
-    const writers = person.held.filter(({ model, asked }) => model.kind === EndpointKind.publisher
-      || model.kind === EndpointKind.client || (model.kind === EndpointKind.server && asked.length > 0));
+    const writers = person.held.filter(({ model, asked }) =>
+      model.kind === EndpointKind.publisher
+      || model.kind === EndpointKind.client || (model.kind === EndpointKind.server && asked.length > 0)
+    );
     if (writers.length === 0) return;
     const { model, handle, asked } = random.pick(writers);
     const times = model.kind === EndpointKind.publisher && random.chance(20) ? this.burst() : 1;
@@ -173,7 +175,7 @@ export abstract class RandomScene {
   protected takeFrom(person: Participant, reader: Held, atMost: number): number {
     const { heap } = this;
     this.story.push(`p${person.index} takes from ${reader.handle}, ${atMost} at most`);
-    for (let taken = 0; ; taken += 1) {
+    for (let taken = 0;; taken += 1) {
       if (taken === atMost) return taken;
       const ready = person.link.ready().includes(reader.handle);
       const length = person.link.take(reader.handle, heap, payloadAt, heap.u8.length - payloadAt, 0);

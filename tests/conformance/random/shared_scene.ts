@@ -17,7 +17,7 @@ export class SharedScene extends RandomScene {
     super(random, new Model());
   }
 
-  protected admit(): { index: number; link: SharedLink } {
+  protected admit(): { index: number; link: SharedLink; } {
     const index = this.broker.bus.claimParticipant();
     return { index, link: new SharedLink({ bus: new Bus(this.broker.bus.memory), participant: index, mayBlock: false }) };
   }

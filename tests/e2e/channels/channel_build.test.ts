@@ -13,8 +13,14 @@ interface Report {
   readonly unchanged: number;
   readonly failed: number;
   readonly skipped: number;
-  readonly causes: readonly { readonly code: string; readonly message: string; readonly packages: readonly string[] }[];
-  readonly packages: readonly { readonly name: string; readonly state: string; readonly archive?: string; readonly cause?: string; readonly source?: string }[];
+  readonly causes: readonly { readonly code: string; readonly message: string; readonly packages: readonly string[]; }[];
+  readonly packages: readonly {
+    readonly name: string;
+    readonly state: string;
+    readonly archive?: string;
+    readonly cause?: string;
+    readonly source?: string;
+  }[];
 }
 interface PackageRow {
   readonly depends: readonly string[];
@@ -94,7 +100,8 @@ install(DIRECTORY config DESTINATION share/\${PROJECT_NAME})`,
   ws.write('src/room_driver/config/area.txt', '12.5\n');
   ws.addPythonPackage('room_logger', { logger: LOGGER }, ['rclpy']);
   const logger = 'src/room_logger/package.xml';
-  ws.write(logger, ws.read(logger).toString().replace('  <export>', '  <exec_depend version_gte="1.0.0" version_lt="2.0.0">room_msgs</exec_depend>\n  <export>'));
+  ws.write(logger,
+    ws.read(logger).toString().replace('  <export>', '  <exec_depend version_gte="1.0.0" version_lt="2.0.0">room_msgs</exec_depend>\n  <export>'));
   ws.addPackage('room_shapes', { show: SHOW }, {
     depends: ['pluginlib'],
     cmake: `find_package(pluginlib REQUIRED)
@@ -108,7 +115,7 @@ ament_export_include_directories(include)`,
   ws.addPackage('room_follow', { follow: 'int main() {}\n' }, { depends: ['room_broken'], cmake: 'find_package(room_broken REQUIRED)' });
 }
 
-async function build(...words: readonly string[]): Promise<Finished & { readonly report: Report }> {
+async function build(...words: readonly string[]): Promise<Finished & { readonly report: Report; }> {
   const done = await ws.run(['--json', 'channel', 'build', ...words]);
   const line = done.stdout.trim().split('\n').at(-1) ?? '';
   return { ...done, report: JSON.parse(line) as Report };
@@ -124,7 +131,8 @@ const archives = (channel: string): readonly string[] =>
   readdirSync(join(ws.root, channel), { recursive: true }).map(String).filter((name) => name.endsWith('.conda')).sort();
 
 /** All files but the notes by which the next index is made faster. */
-const published = (channel: string): ReadonlyMap<string, string> => new Map([...ws.files(channel)].filter(([path]) => !path.split('/').at(-1)?.startsWith('.')));
+const published = (channel: string): ReadonlyMap<string, string> =>
+  new Map([...ws.files(channel)].filter(([path]) => !path.split('/').at(-1)?.startsWith('.')));
 
 function record(channel: string, name: string): PackageRow {
   for (const subdir of ['noarch', 'emscripten-wasm32']) {
@@ -248,7 +256,9 @@ launch:
 });
 
 test('a program with a folder of its sources in it is named', watchdog, async () => {
-  ws.addPackage('room_fixed', { fixed: '#include <cstdio>\nint main() { std::puts(HERE); }\n' }, { cmake: 'target_compile_definitions(fixed PRIVATE HERE="${CMAKE_CURRENT_SOURCE_DIR}/data")' });
+  ws.addPackage('room_fixed', { fixed: '#include <cstdio>\nint main() { std::puts(HERE); }\n' }, {
+    cmake: 'target_compile_definitions(fixed PRIVATE HERE="${CMAKE_CURRENT_SOURCE_DIR}/data")',
+  });
   renameSync(join(ws.root, 'src/room_fixed'), join(ws.root, 'fixed'));
   const { code, stderr } = await build('fixed', '-o', 'of_fixed');
   assert.equal(code, 0, stderr);
@@ -266,12 +276,20 @@ test('a package that has changed is added with the next build number, and the ea
 });
 
 test('what other headers of the client libraries were compiled for is refused by name', watchdog, async () => {
-  const meta = { name: 'ros-jazzy-room-foreign', version: '1.0.0', build: 'h1_0', subdir: 'emscripten-wasm32', depends: ['ros2wasm-abi * h000000000000_0'], license: 'MIT' };
+  const meta = {
+    name: 'ros-jazzy-room-foreign',
+    version: '1.0.0',
+    build: 'h1_0',
+    subdir: 'emscripten-wasm32',
+    depends: ['ros2wasm-abi * h000000000000_0'],
+    license: 'MIT',
+  };
   ws.write('foreign.json', JSON.stringify(meta));
   ws.write('foreign/share/room_foreign/package.xml', '<package/>\n');
   await succeeds('channel', 'add', 'other', '--prefix', 'foreign', '--metadata', 'foreign.json');
   await succeeds('channel', 'index', 'other');
-  ws.write('with_foreign/workspace.yaml', 'schema: 1\nname: lab\nchannels: [../other, embedded]\ndependencies: [room_foreign]\nlaunch:\n  - {package: demo_nodes_cpp, executable: talker}\n');
+  ws.write('with_foreign/workspace.yaml',
+    'schema: 1\nname: lab\nchannels: [../other, embedded]\ndependencies: [room_foreign]\nlaunch:\n  - {package: demo_nodes_cpp, executable: talker}\n');
   const { code, stderr } = await ws.run(['pack', 'with_foreign', '-o', 'no_site']);
   assert.equal(code, 1);
   assert.match(stderr, /ros2wasm-abi/);
@@ -280,7 +298,14 @@ test('what other headers of the client libraries were compiled for is refused by
 
 test('a package of a channel may need one that only the workspace has, in the version that it has', watchdog, async () => {
   const add = async (version: string): Promise<Finished> => {
-    const meta = { name: 'ros-jazzy-room-plan', version: '1.0.0', build: 'h1_0', subdir: 'noarch', depends: [`ros-jazzy-room-msgs ${version}`], license: 'MIT' };
+    const meta = {
+      name: 'ros-jazzy-room-plan',
+      version: '1.0.0',
+      build: 'h1_0',
+      subdir: 'noarch',
+      depends: [`ros-jazzy-room-msgs ${version}`],
+      license: 'MIT',
+    };
     ws.write('plan.json', JSON.stringify(meta));
     ws.write('plan/share/room_plan/package.xml', '<package/>\n');
     await succeeds('channel', 'add', `plans${version.slice(2)}`, '--prefix', 'plan', '--metadata', 'plan.json');

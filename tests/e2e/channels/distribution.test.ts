@@ -19,7 +19,8 @@ let host: Server;
 let address = '';
 let asked = 0;
 
-const packageXml = (name: string, type: string, depends: string): string => `<package format="3">
+const packageXml = (name: string, type: string, depends: string): string =>
+  `<package format="3">
   <name>${name}</name><version>1.0.0</version><description>Part of a lab</description>
   <maintainer email="someone@example.org">Someone</maintainer><license>MIT</license>
   ${depends}<export><build_type>${type}</build_type></export>
@@ -49,7 +50,8 @@ function releasePython(repository: string, name: string, text: string, depends: 
 }
 
 function distribution(version: string): string {
-  const entry = (repository: string, names: readonly string[]): string => `  ${repository}:
+  const entry = (repository: string, names: readonly string[]): string =>
+    `  ${repository}:
     doc: {type: git, url: "https://example.org/${repository}.git", version: main}
     release:
       packages: [${names.join(', ')}]
@@ -80,12 +82,14 @@ test('search names the sources of a distribution, by ROS name or by conda name',
   ws.write('list.yaml', distribution('1.0.0-1'));
   const said = await succeeds('search', 'ros-jazzy-word-*', '--distribution', 'list.yaml');
   assert.equal(said.match(/^word_\d 1\.0\.0 source {2}http:/gm)?.length, COUNT);
-  assert.match(await succeeds('search', 'shapes >=1', '--distribution', 'list.yaml'), /^shapes 1\.0\.0 source {2}\S+\/shapes release\/jazzy\/shapes\/1\.0\.0-1$/m);
+  assert.match(await succeeds('search', 'shapes >=1', '--distribution', 'list.yaml'),
+    /^shapes 1\.0\.0 source {2}\S+\/shapes release\/jazzy\/shapes\/1\.0\.0-1$/m);
   const none = await ws.run(['search', 'shapes >=2', '--distribution', 'list.yaml']);
   assert.equal(none.code, 1);
 });
 
-const manifest = (sources: string, more = ''): string => `schema: 1
+const manifest = (sources: string, more = ''): string =>
+  `schema: 1
 name: lab
 packages: [src/*]
 ${sources}launch:
@@ -115,9 +119,11 @@ ament_package()
 `,
     'include/shapes/corners.hpp': 'inline int corners() { return 4; }\n',
   });
-  ws.addPythonPackage('lab', { speak: 'from word_0 import NUMBER\n\n\ndef main():\n    print(f\'{NUMBER} words\', flush=True)\n' }, ['rclpy', 'word_0']);
-  ws.addPackage('draw', { draw: '#include <cstdio>\n#include <shapes/corners.hpp>\nint main() { std::printf("%d corners\\n", corners()); }\n' },
-    { depends: ['shapes'], cmake: 'find_package(shapes REQUIRED)\ntarget_link_libraries(draw shapes::shapes)\n' });
+  ws.addPythonPackage('lab', { speak: "from word_0 import NUMBER\n\n\ndef main():\n    print(f'{NUMBER} words', flush=True)\n" }, ['rclpy', 'word_0']);
+  ws.addPackage('draw', { draw: '#include <cstdio>\n#include <shapes/corners.hpp>\nint main() { std::printf("%d corners\\n", corners()); }\n' }, {
+    depends: ['shapes'],
+    cmake: 'find_package(shapes REQUIRED)\ntarget_link_libraries(draw shapes::shapes)\n',
+  });
   host = createServer((request, response) => {
     asked += 1;
     const text = distribution('1.0.0-1');
@@ -187,7 +193,8 @@ test('a package whose tag is gone, and a file that is not a distribution, are na
   ws.write('workspace.yaml', manifest('sources: [{distribution: ros/distribution.yaml}]\n'));
   rmSync(join(ws.root, 'ros2wasm.lock'));
   const older = await ws.run(['pack', '-o', 'site']);
-  assert.match(older.stderr, /error\[R2W0252\]: the git repository `.*\/words` has no revision `release\/jazzy\/word_0\/2\.0\.0-1`\n[^]*= fix: write `revision: release\/jazzy\/word_0\/1\.0\.0-1`/);
+  assert.match(older.stderr,
+    /error\[R2W0252\]: the git repository `.*\/words` has no revision `release\/jazzy\/word_0\/2\.0\.0-1`\n[^]*= fix: write `revision: release\/jazzy\/word_0\/1\.0\.0-1`/);
   ws.write('ros/distribution.yaml', 'repositories: []\n');
   const other = await ws.run(['pack', '-o', 'site']);
   assert.match(other.stderr, /error\[R2W0256\]: `ros\/distribution\.yaml` is not a distribution file that can be used/);

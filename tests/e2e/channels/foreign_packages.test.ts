@@ -58,7 +58,8 @@ after(() => ws.close());
 test('a static library that fits is linked', watchdog, async () => {
   await addLibrary('doubler', 'int doubler_of(int x) { return 2 * x; }\n', ['emcc', '-O2']);
   ws.addPackage('twice', { twice: '#include <cstdio>\n#include <doubler.h>\nint main() { std::printf("twice 21 is %d\\n", doubler_of(21)); }\n' }, {
-    cmake: 'find_library(DOUBLER doubler REQUIRED)\nfind_path(DOUBLER_HEADERS doubler.h REQUIRED)\ntarget_link_libraries(twice ${DOUBLER})\ntarget_include_directories(twice PRIVATE ${DOUBLER_HEADERS})',
+    cmake:
+      'find_library(DOUBLER doubler REQUIRED)\nfind_path(DOUBLER_HEADERS doubler.h REQUIRED)\ntarget_link_libraries(twice ${DOUBLER})\ntarget_include_directories(twice PRIVATE ${DOUBLER_HEADERS})',
   });
   const { code, stderr } = await pack(['doubler'], 'fits', 'twice');
   assert.equal(code, 0, stderr);
@@ -68,11 +69,13 @@ test('a static library that fits is linked', watchdog, async () => {
 
 test('threads, exceptions and other machines are refused, with package, file and reason', watchdog, async () => {
   await addLibrary('counter', 'static _Thread_local int n;\nint counter_of(int x) { n += x; return n; }\n', ['emcc', '-O2']);
-  await addLibrary('thrower', 'extern "C" int inner(int);\nextern "C" int thrower_of(int x) { try { return inner(x); } catch (...) { return 0; } }\n', ['em++', '-O2', '-fexceptions']);
+  await addLibrary('thrower', 'extern "C" int inner(int);\nextern "C" int thrower_of(int x) { try { return inner(x); } catch (...) { return 0; } }\n', ['em++',
+    '-O2', '-fexceptions']);
   await addLibrary('native', 'int native_of(int x) { return x; }\n', ['gcc', '-O2']);
   const { code, stderr } = await pack(['counter', 'thrower', 'native']);
   assert.equal(code, 1);
-  assert.match(stderr, /error\[R2W0534\]: `counter-2\.0-h1_0` of the channel `\.\/forge` cannot be a part of this site\n.*`lib\/libcounter\.a`: it was compiled without threads/);
+  assert.match(stderr,
+    /error\[R2W0534\]: `counter-2\.0-h1_0` of the channel `\.\/forge` cannot be a part of this site\n.*`lib\/libcounter\.a`: it was compiled without threads/);
   assert.match(stderr, /error\[R2W0534\]: `thrower-2\.0-h1_0`[^\n]*\n.*`lib\/libthrower\.a`: it throws exceptions through JavaScript \(-fexceptions\)/);
   assert.match(stderr, /error\[R2W0534\]: `native-2\.0-h1_0`[^\n]*\n.*`lib\/libnative\.a`: it is not compiled for WebAssembly/);
   assert.doesNotMatch(stderr, /built|R2W0504/);
@@ -93,7 +96,8 @@ test('modules for another Python are refused, in its folder or by their name', w
   await addPackage('by_record', 'made', ['python_abi 3.13.* *_cp313']);
   const { code, stderr } = await pack(['later', 'earlier']);
   assert.equal(code, 1);
-  assert.match(stderr, /`later-2\.0-h1_0`[^\n]*\n.*`lib\/python3\.13\/site-packages\/later\/__init__\.py`: it is for Python 3\.13, and a site has Python 3\.12/);
+  assert.match(stderr,
+    /`later-2\.0-h1_0`[^\n]*\n.*`lib\/python3\.13\/site-packages\/later\/__init__\.py`: it is for Python 3\.13, and a site has Python 3\.12/);
   assert.match(stderr, /`earlier-2\.0-h1_0`[^\n]*\n.*it is for Python 3\.11, and a site has Python 3\.12/);
   const record = await pack(['by_record']);
   assert.equal(record.code, 1);
@@ -113,11 +117,13 @@ ONE_FUNCTION(springs, stiffness, 1013)
 """
 side_module(Path('made'), 'springs.so', text, '_PyInit_springs').rename(folder / 'springs.cpython-312-wasm32-emscripten.so')`);
   await addPackage('springs', 'springs');
-  ws.addPythonPackage('scales', { scales: `import springs
+  ws.addPythonPackage('scales', {
+    scales: `import springs
 
 def main():
     print(f'stiffness {springs.stiffness(2)}', flush=True)
-` }, ['rclpy']);
+`,
+  }, ['rclpy']);
   const { code, stderr } = await pack(['springs', 'doubler'], 'modules', 'scales');
   assert.equal(code, 0, stderr);
   const ran = await ws.run(['run', 'modules', '--for', '30s', '--until', 'stiffness']);

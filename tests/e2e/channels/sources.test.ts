@@ -8,7 +8,8 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 
 const watchdog = { timeout: 120_000 };
 
-const packageXml = (name: string, type: string, depends: string): string => `<package format="3">
+const packageXml = (name: string, type: string, depends: string): string =>
+  `<package format="3">
   <name>${name}</name><version>0.3.0</version><description>Part of a lab</description>
   <maintainer email="someone@example.org">Someone</maintainer><license>BSD-3-Clause</license>
   ${depends}<export><build_type>${type}</build_type></export>
@@ -123,7 +124,7 @@ test('build --plan says what would be built, and from where, and builds nothing'
   assert.match(said, /^lab 1\.2\.3 {2}about \d+ s$/m);
   assert.match(said, /to build: 3 of 3 packages, about \d+ s one after the other/);
   assert.equal(existsSync(join(ws.root, 'site')), false);
-  const json = JSON.parse((await ws.run(['--json', 'build', '--plan'])).stdout) as readonly { readonly package: string; readonly cached: boolean }[];
+  const json = JSON.parse((await ws.run(['--json', 'build', '--plan'])).stdout) as readonly { readonly package: string; readonly cached: boolean; }[];
   assert.deepEqual(json.map((one) => [one.package, one.cached]).sort(), [['arm_driver', false], ['arm_msgs', false], ['lab', false]]);
 });
 
@@ -132,7 +133,9 @@ test('a package of a git repository is fetched with what it needs, locked by its
   assert.match(said, new RegExp(`from arms 1\\.0, commit ${first.slice(0, 10)}: arm_driver, arm_msgs`));
   assert.doesNotMatch(said, /arm_camera/);
   const lock = ws.read('ros2wasm.lock').toString();
-  assert.match(lock, new RegExp(`sources:\n  - git: .*/arms"?\n    revision: "1\\.0"\n    commit: "?${first}"?\n    tree: "?${git(upstream(), 'rev-parse', 'HEAD^{tree}')}"?\n`));
+  assert.match(lock, new RegExp(
+    `sources:\n  - git: .*/arms"?\n    revision: "1\\.0"\n    commit: "?${first}"?\n    tree: "?${git(upstream(), 'rev-parse', 'HEAD^{tree}')}"?\n`,
+  ));
   assert.match(await heard(), /reach 0\.75 m/);
   const place = `http://127\\.0\\.0\\.1:\\d+/arms 1\\.0, commit ${first.slice(0, 10)}`;
   assert.match(await succeeds('tree'), new RegExp(`^built from ${place}\n\\|-- arm_driver 0\\.3\\.0\n\`-- arm_msgs 0\\.3\\.0$`, 'm'));
@@ -178,7 +181,7 @@ test('lock --update takes what the tag names now', watchdog, async () => {
   ws.write('workspace.yaml', manifest);
 });
 
-test('a package of the workspace takes the place of the source\'s', watchdog, async () => {
+test("a package of the workspace takes the place of the source's", watchdog, async () => {
   ws.addPackage('arm_driver', { driver: '#include <cstdio>\nint main() { std::puts("my own driver"); }\n' });
   const said = await succeeds('pack', '-o', 'site');
   assert.match(said, /arm_driver is taken from the workspace, not from a source/);
@@ -227,7 +230,8 @@ test('a submodule of a repository on the web does not lead to this machine', wat
     commitAll(trap, '1.0');
     git(trap, 'update-index', '--add', '--cacheinfo', `160000,${secret},s`);
     git(trap, 'commit', '--quiet', '--amend', '--message', 'trap');
-    ws.write('trapped/workspace.yaml', `schema: 1\nname: trapped\nsources: [{git: "${server.address}/trap", revision: main}]\nlaunch:\n  - {package: arm, executable: arm}\n`);
+    ws.write('trapped/workspace.yaml',
+      `schema: 1\nname: trapped\nsources: [{git: "${server.address}/trap", revision: main}]\nlaunch:\n  - {package: arm, executable: arm}\n`);
     const { code, stderr } = await ws.run(['pack', 'trapped', '-o', 'trapped_site']);
     assert.equal(code, 1, stderr);
     assert.match(stderr, /error\[R2W0254\]: the source `trap` is not taken\n[^]*its submodule `s` comes from/);

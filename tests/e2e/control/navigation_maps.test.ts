@@ -307,7 +307,8 @@ const pixels = [0, 128, 205, 254, 254, 254, 0, 0];
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  const libraries = ['nav2_util', 'nav2_lifecycle_manager', 'nav2_map_server', 'nav2_msgs', 'nav_msgs', 'rclcpp', 'std_msgs', 'ament_index_cpp', 'tf2_geometry_msgs'];
+  const libraries = ['nav2_util', 'nav2_lifecycle_manager', 'nav2_map_server', 'nav2_msgs', 'nav_msgs', 'rclcpp', 'std_msgs', 'ament_index_cpp',
+    'tf2_geometry_msgs'];
   workspace.addPackage('house_maps', { sentry, watcher, driver }, {
     depends: [...libraries, 'nav2_common'],
     cmake: `${[...libraries, 'nav2_common'].map((name) => `find_package(${name} REQUIRED)`).join('\n')}
@@ -415,45 +416,68 @@ for (const link of played('port', 'shared')) {
       assert.ok(down > 3.5 && down < 15, `down after ${String(down)} s`);
 
       const reasons = said(output, 'map_io');
-      for (const reason of [
-        /YAML file name is empty, can't load!/,
-        /Failed processing YAML file \S+missing\.yaml at position \(-1:-1\) for reason: bad file: \S+missing\.yaml/,
-        /Failed processing YAML file \S+broken\.yaml at position \(2:0\) for reason: yaml-cpp: error at line 3, column 1: /,
-        /Failed processing YAML file \S+deep\.yaml at position /,
-        /Failed to load image file \S+no_such\.pgm for reason: Unable to open file \(/,
-        /Failed to parse map YAML loaded from file \S+unknown_mode\.yaml for reason: map_mode_name/,
-        /Failed to load image file \S+huge\.pgm for reason: the image has 999999 x 999999 pixels, more than 33554432/,
-        /Failed to load image file \S+short\.pgm for reason: not a valid portable image: it ends after 5 of 25000000 bytes of pixels/,
-        /Failed to load image file \S+bomb\.png for reason: the image has 30000 x 30000 pixels, more than 33554432/,
-        /Read map \S+house_maps\/maps\/house\.pgm: 4 X 2 map @ 0\.05 m\/cell/,
-      ]) assert.ok(reasons.some((line) => reason.test(line)), `map_io does not log ${String(reason)}\n${reasons.join('\n')}`);
+      for (
+        const reason of [
+          /YAML file name is empty, can't load!/,
+          /Failed processing YAML file \S+missing\.yaml at position \(-1:-1\) for reason: bad file: \S+missing\.yaml/,
+          /Failed processing YAML file \S+broken\.yaml at position \(2:0\) for reason: yaml-cpp: error at line 3, column 1: /,
+          /Failed processing YAML file \S+deep\.yaml at position /,
+          /Failed to load image file \S+no_such\.pgm for reason: Unable to open file \(/,
+          /Failed to parse map YAML loaded from file \S+unknown_mode\.yaml for reason: map_mode_name/,
+          /Failed to load image file \S+huge\.pgm for reason: the image has 999999 x 999999 pixels, more than 33554432/,
+          /Failed to load image file \S+short\.pgm for reason: not a valid portable image: it ends after 5 of 25000000 bytes of pixels/,
+          /Failed to load image file \S+bomb\.png for reason: the image has 30000 x 30000 pixels, more than 33554432/,
+          /Read map \S+house_maps\/maps\/house\.pgm: 4 X 2 map @ 0\.05 m\/cell/,
+        ]
+      ) assert.ok(reasons.some((line) => reason.test(line)), `map_io does not log ${String(reason)}\n${reasons.join('\n')}`);
 
       inOrder(said(output, 'lifecycle_manager_localization'), [
         'Creating and initializing lifecycle service clients',
         'Starting managed nodes bringup...',
-        'Configuring sentry', 'Configuring map_server', 'Configuring map_saver',
-        'Activating sentry', 'Server sentry connected with bond.',
-        'Activating map_server', 'Server map_server connected with bond.',
-        'Activating map_saver', 'Server map_saver connected with bond.',
-        'Managed nodes are active', 'Creating bond timer...',
-        'Terminating bond timer...', 'Pausing managed nodes...',
-        'Deactivating map_saver', 'Deactivating map_server', 'Deactivating sentry', 'Managed nodes have been paused',
-        'Resuming managed nodes...', 'Managed nodes are active',
+        'Configuring sentry',
+        'Configuring map_server',
+        'Configuring map_saver',
+        'Activating sentry',
+        'Server sentry connected with bond.',
+        'Activating map_server',
+        'Server map_server connected with bond.',
+        'Activating map_saver',
+        'Server map_saver connected with bond.',
+        'Managed nodes are active',
+        'Creating bond timer...',
+        'Terminating bond timer...',
+        'Pausing managed nodes...',
+        'Deactivating map_saver',
+        'Deactivating map_server',
+        'Deactivating sentry',
+        'Managed nodes have been paused',
+        'Resuming managed nodes...',
+        'Managed nodes are active',
         'Have not received a heartbeat from sentry.',
         'CRITICAL FAILURE: SERVER sentry IS DOWN after not receiving a heartbeat for 4000 ms. Shutting down related nodes.',
-        'Resetting managed nodes...', 'Deactivating sentry', 'Failed to change state for node: sentry',
-        'Cleaning up map_server', 'Managed nodes have been reset',
-        'Successfully re-established connections from server respawns, starting back up.', 'Managed nodes are active',
-        'Shutting down managed nodes...', 'Deactivate, cleanup, and shutdown nodes', 'Shutting down sentry', 'Managed nodes have been shut down',
+        'Resetting managed nodes...',
+        'Deactivating sentry',
+        'Failed to change state for node: sentry',
+        'Cleaning up map_server',
+        'Managed nodes have been reset',
+        'Successfully re-established connections from server respawns, starting back up.',
+        'Managed nodes are active',
+        'Shutting down managed nodes...',
+        'Deactivate, cleanup, and shutdown nodes',
+        'Shutting down sentry',
+        'Managed nodes have been shut down',
       ]);
       inOrder(said(output, 'lifecycle_manager_filters'), [
         'Managed nodes are active',
         'CRITICAL FAILURE: SERVER guard IS DOWN after not receiving a heartbeat for 4000 ms. Shutting down related nodes.',
-        'Deactivating costmap_filter_info_server', 'Deactivating guard',
+        'Deactivating costmap_filter_info_server',
+        'Deactivating guard',
         'Failed to change state for node: guard. Exception: change_state service is not available!.',
         'Managed nodes have been reset',
       ]);
-      inOrder(said(output, 'map_server'), ['Creating', 'Configuring', 'Activating', 'Creating bond (map_server) to lifecycle manager.', 'Handling LoadMap request', 'Handling GetMap request', 'Deactivating', 'Destroying bond (map_server) to lifecycle manager.', 'Cleaning up', 'Shutting down']);
+      inOrder(said(output, 'map_server'), ['Creating', 'Configuring', 'Activating', 'Creating bond (map_server) to lifecycle manager.',
+        'Handling LoadMap request', 'Handling GetMap request', 'Deactivating', 'Destroying bond (map_server) to lifecycle manager.', 'Cleaning up',
+        'Shutting down']);
 
       assert.match(output, /\[map_saver\]: Saving map from 'map' topic to 'house' file/);
       assert.match(output, /\[map_saver\]: Map saved successfully/);
@@ -462,10 +486,12 @@ for (const link of played('port', 'shared')) {
       const ends = output.match(/^\[map_saver_cli-\d+\] process has [^\n]*/gm)?.map((line) => line.replace(/\[map_saver_cli-\d+\] process has /, ''));
       assert.deepEqual(ends?.sort(), ['died [exit code 1]', 'died [exit code 255]', 'finished cleanly']);
       const files = readFolder(kept);
-      assert.equal(files.get('house.yaml'), 'image: house.png\nmode: scale\nresolution: 0.050\norigin: [-1.000, -2.000, 1.5708]\nnegate: 0\noccupied_thresh: 0.650\nfree_thresh: 0.250');
+      assert.equal(files.get('house.yaml'),
+        'image: house.png\nmode: scale\nresolution: 0.050\norigin: [-1.000, -2.000, 1.5708]\nnegate: 0\noccupied_thresh: 0.650\nfree_thresh: 0.250');
       assert.match(files.get('house.png') ?? '', /^\x89PNG/); // eslint-disable-line no-control-regex
       assert.equal(files.get('trinary.pgm'), `P5\n4 2\n255\n${Buffer.from(pixels.map((one) => (one === 128 ? 205 : one))).toString('latin1')}`);
-      assert.equal(files.get('trinary.yaml'), 'image: trinary.pgm\nmode: trinary\nresolution: 0.050\norigin: [-1.000, -2.000, 1.5708]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196');
+      assert.equal(files.get('trinary.yaml'),
+        'image: trinary.pgm\nmode: trinary\nresolution: 0.050\norigin: [-1.000, -2.000, 1.5708]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196');
     } finally {
       rmSync(kept, { recursive: true });
     }

@@ -26,7 +26,8 @@ const joint = (name: string, start: string): string => `
       <command_interface name="position"/>
       <state_interface name="position">${start}</state_interface>
     </joint>`;
-const description = (plugin: string): string => `<?xml version="1.0"?>
+const description = (plugin: string): string =>
+  `<?xml version="1.0"?>
 <robot name="lift">
   <link name="base"/><link name="cabin"/><link name="door"/>
   <joint name="mast" type="prismatic">
@@ -135,8 +136,12 @@ async function ran(session: Session, words: readonly string[]): Promise<Ran> {
     bags: bagFiles,
     readText: textOfFile,
     takeInput: () => undefined,
-    print: (text) => { out += `${text}\n`; },
-    warn: (text) => { out += `${text}\n`; },
+    print: (text) => {
+      out += `${text}\n`;
+    },
+    warn: (text) => {
+      out += `${text}\n`;
+    },
   });
   return { code, out };
 }
@@ -146,7 +151,9 @@ async function states(session: Session, done: (listed: string) => boolean): Prom
   for (;;) {
     const { code, out } = await ran(session, ['list_controllers']);
     if (code === 0 && done(out)) return out;
-    await new Promise((next) => { setTimeout(next, 100); });
+    await new Promise((next) => {
+      setTimeout(next, 100);
+    });
   }
 }
 
@@ -158,11 +165,14 @@ for (const link of played('port', 'shared')) {
     assert.match(spawned, /INFO\][^\n]*: Loaded joint_state_broadcaster\n[^]*INFO\][^\n]*: Configured and activated joint_state_broadcaster\n/);
     assert.match(spawned, /WARN\][^\n]*: Controller already loaded, skipping load_controller\n[^]*ERROR\][^\n]*: Failed to configure controller\n/);
     assert.match(spawned, /FATAL\][^\n]*: Failed loading controller x\n/);
-    assert.deepEqual((stdout + stderr).match(/^\[spawner-\d\] process has died \[exit code 1\]/gm), ['[spawner-4] process has died [exit code 1]', '[spawner-5] process has died [exit code 1]']);
+    assert.deepEqual((stdout + stderr).match(/^\[spawner-\d\] process has died \[exit code 1\]/gm), ['[spawner-4] process has died [exit code 1]',
+      '[spawner-5] process has died [exit code 1]']);
     assert.match(stdout, /ERROR\] [^\n]*\[controller_manager\]: Controller 'joint_state_broadcaster' can not be configured from 'active' state\./);
-    assert.match(spawned, /INFO\][^\n]*: activated component 'Lift'\. Hardware now in state: lifecycle_msgs\.msg\.State\(id=3, label='active'\)\.\n[^]*WARN\][^\n]*: Hardware Component is not loaded - state can not be changed\./);
+    assert.match(spawned,
+      /INFO\][^\n]*: activated component 'Lift'\. Hardware now in state: lifecycle_msgs\.msg\.State\(id=3, label='active'\)\.\n[^]*WARN\][^\n]*: Hardware Component is not loaded - state can not be changed\./);
     assert.match(spawned, /: Configured and activated a\n[^]*: Loaded b\n[^]*: Loaded c\n[^]*: Deactivated controller\n[^]*: Unloaded controller/);
-    assert.match(spawned, /: Waiting until interrupt to unload controllers\n[^]*: Deactivating and unloading controllers\.\.\.\n[^]*: Successfully deactivated controllers : \['c'\]\n[^]*: Successfully unloaded controllers : \['c'\]/);
+    assert.match(spawned,
+      /: Waiting until interrupt to unload controllers\n[^]*: Deactivating and unloading controllers\.\.\.\n[^]*: Successfully deactivated controllers : \['c'\]\n[^]*: Successfully unloaded controllers : \['c'\]/);
     assert.match(stdout, /\[controller_manager\]: The 'type' param was not defined for 'x'\./);
   });
 
@@ -188,7 +198,10 @@ for (const link of played('port', 'shared')) {
 `);
 
       const refused = await ran(session, ['switch_controllers', '--activate', 'b', '--strict']);
-      assert.deepEqual(refused, { code: 1, out: "Unable to activate controller 'b' since the command interface 'mast/position' is currently claimed by another controller.\n" });
+      assert.deepEqual(refused, {
+        code: 1,
+        out: "Unable to activate controller 'b' since the command interface 'mast/position' is currently claimed by another controller.\n",
+      });
       const unchanged = await ran(session, ['switch_controllers', '--activate', 'b', 'nonsense', '--deactivate', 'a', '--strict']);
       assert.equal(unchanged.code, 1);
       assert.match(await states(session, () => true), /^a .* active *$/m);
@@ -204,8 +217,10 @@ for (const link of played('port', 'shared')) {
 
       assert.deepEqual(await ran(session, ['set_controller_state', 'a', 'inactive']), { code: 0, out: 'Successfully deactivated a\n' });
       assert.deepEqual(await ran(session, ['unload_controller', 'a']), { code: 0, out: 'Successfully unloaded controller a\n' });
-      assert.deepEqual(await ran(session, ['load_controller', 'a', '--set-state', 'active']),
-        { code: 0, out: 'Successfully loaded controller a\nSuccessfully loaded controller a into state active\n' });
+      assert.deepEqual(await ran(session, ['load_controller', 'a', '--set-state', 'active']), {
+        code: 0,
+        out: 'Successfully loaded controller a\nSuccessfully loaded controller a into state active\n',
+      });
     } finally {
       await close();
     }
@@ -270,7 +285,8 @@ install(FILES quitter.yaml lift.urdf quitter.launch.xml DESTINATION share/\${PRO
       depends: ['controller_interface', 'controller_manager', 'pluginlib', 'robot_state_publisher'],
     });
     own.write('src/quitter/src/quitter.cpp', quitter);
-    own.write('src/quitter/quitter.xml', '<library path="quitter"><class type="quitter::Quitter" base_class_type="controller_interface::ControllerInterface"/></library>\n');
+    own.write('src/quitter/quitter.xml',
+      '<library path="quitter"><class type="quitter::Quitter" base_class_type="controller_interface::ControllerInterface"/></library>\n');
     own.write('src/quitter/lift.urdf', description('mock_components/GenericSystem'));
     own.write('src/quitter/quitter.yaml', `controller_manager:
   ros__parameters:

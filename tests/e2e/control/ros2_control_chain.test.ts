@@ -13,10 +13,17 @@ const watchdog = { timeout: 300_000 };
 const SIDES = ['left', 'right'] as const;
 
 const description = `<robot name="base"><link name="base_link"/>
-${SIDES.map((side) => `<link name="${side}_link"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
-<joint name="${side}" type="continuous"><parent link="base_link"/><child link="${side}_link"/><axis xyz="0 1 0"/></joint>`).join('\n')}
+${
+  SIDES.map((side) =>
+    `<link name="${side}_link"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="${side}" type="continuous"><parent link="base_link"/><child link="${side}_link"/><axis xyz="0 1 0"/></joint>`
+  ).join('\n')
+}
 <ros2_control name="base" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-${SIDES.map((side) => `<joint name="${side}"><command_interface name="velocity"/><state_interface name="position"/><state_interface name="velocity"/></joint>`).join('\n')}
+${
+  SIDES.map((side) => `<joint name="${side}"><command_interface name="velocity"/><state_interface name="position"/><state_interface name="velocity"/></joint>`)
+    .join('\n')
+}
 </ros2_control></robot>
 `;
 const controllers = `controller_manager:
@@ -25,14 +32,18 @@ const controllers = `controller_manager:
     pid_left: {type: pid_controller/PidController}
     pid_right: {type: pid_controller/PidController}
     base: {type: diff_drive_controller/DiffDriveController}
-${SIDES.map((side) => `pid_${side}:
+${
+  SIDES.map((side) =>
+    `pid_${side}:
   ros__parameters:
     dof_names: [${side}]
     command_interface: velocity
     reference_and_state_interfaces: [velocity]
     enable_feedforward: true
     gains: {${side}: {p: 0.0, feedforward_gain: 1.0}}
-`).join('')}base:
+`
+  ).join('')
+}base:
   ros__parameters:
     left_wheel_names: [pid_left/left]
     right_wheel_names: [pid_right/right]
@@ -153,7 +164,15 @@ test('a chain is switched as a whole, and drives', watchdog, async () => {
   const active = 'base active False, pid_left active True, pid_right active True';
   // 0.5 m/s and 0.5 rad/s: (0.5 -+ 0.5 * 0.2) / 0.1.
   assert.deepEqual(said, [
-    inactive, "on ['base'] off [] False", `on ${chain} off [] True`, active, 'wheels 4.00 6.00',
-    "on [] off ['pid_left'] False", active, `on [] off ${chain} True`, inactive, 'all is checked',
+    inactive,
+    "on ['base'] off [] False",
+    `on ${chain} off [] True`,
+    active,
+    'wheels 4.00 6.00',
+    "on [] off ['pid_left'] False",
+    active,
+    `on [] off ${chain} True`,
+    inactive,
+    'all is checked',
   ], run.stdout + run.stderr);
 });

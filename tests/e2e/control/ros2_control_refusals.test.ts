@@ -151,7 +151,8 @@ install(PROGRAMS checker DESTINATION lib/\${PROJECT_NAME})\n`,
     depends: ['rclpy', 'controller_manager', 'controller_manager_msgs', 'hardware_interface', 'pluginlib', 'ros2_controllers', 'sensor_msgs', 'std_msgs'],
   });
   workspace.write('src/wary/src/wary.cpp', hardware);
-  workspace.write('src/wary/wary.xml', '<library path="wary"><class type="wary::WarySystem" base_class_type="hardware_interface::SystemInterface"/></library>\n');
+  workspace.write('src/wary/wary.xml',
+    '<library path="wary"><class type="wary::WarySystem" base_class_type="hardware_interface::SystemInterface"/></library>\n');
   workspace.write('src/wary/controllers.yaml', controllers);
   workspace.write('src/wary/checker', checker);
   workspace.write('src/wary/wary.launch.xml', `<launch>

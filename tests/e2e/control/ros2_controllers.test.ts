@@ -26,20 +26,36 @@ const joint = (name: string): string => `
 const control = (name: string, command: string, state: string, joints: readonly string[], parameter = ''): string => `
   <ros2_control name="${name}" type="system">
     <hardware><plugin>mock_components/GenericSystem</plugin>${parameter}</hardware>
-${joints.map((one) => `    <joint name="${one}">
+${
+  joints.map((one) =>
+    `    <joint name="${one}">
       <command_interface name="${command}"/>
       <state_interface name="position"><param name="initial_value">0.0</param></state_interface>
-${state}    </joint>`).join('\n')}
+${state}    </joint>`
+  ).join('\n')
+}
   </ros2_control>`;
 
 const velocityState = '      <state_interface name="velocity"/>\n';
 /** Sensors with values that do not change. */
-const sensor = (name: string, values: Readonly<Record<string, number>>): string => `    <sensor name="${name}">
-${Object.entries(values).map(([one, value]) => `      <state_interface name="${one}"><param name="initial_value">${String(value)}</param></state_interface>`).join('\n')}
+const sensor = (name: string, values: Readonly<Record<string, number>>): string =>
+  `    <sensor name="${name}">
+${
+    Object.entries(values).map(([one, value]) => `      <state_interface name="${one}"><param name="initial_value">${String(value)}</param></state_interface>`)
+      .join('\n')
+  }
     </sensor>`;
 const imu = {
-  'orientation.x': 0, 'orientation.y': 0, 'orientation.z': 0.6, 'orientation.w': 0.8, 'angular_velocity.x': 0, 'angular_velocity.y': 0,
-  'angular_velocity.z': 0.5, 'linear_acceleration.x': 0, 'linear_acceleration.y': 0, 'linear_acceleration.z': 9.81,
+  'orientation.x': 0,
+  'orientation.y': 0,
+  'orientation.z': 0.6,
+  'orientation.w': 0.8,
+  'angular_velocity.x': 0,
+  'angular_velocity.y': 0,
+  'angular_velocity.z': 0.5,
+  'linear_acceleration.x': 0,
+  'linear_acceleration.y': 0,
+  'linear_acceleration.z': 9.81,
 };
 const wrench = { 'force.x': 2, 'force.y': 0, 'force.z': 0, 'torque.x': 0, 'torque.y': 0, 'torque.z': -1 };
 
@@ -63,8 +79,18 @@ ${sensor('wrist', wrench)}
 `;
 
 const CONTROLLERS = [
-  'joint_state_broadcaster', 'base_controller', 'arm_controller', 'way_controller', 'end_controller', 'lamp_controller',
-  'car_controller', 'finger_controller', 'motor_controller', 'imu_broadcaster', 'range_broadcaster', 'wrist_broadcaster',
+  'joint_state_broadcaster',
+  'base_controller',
+  'arm_controller',
+  'way_controller',
+  'end_controller',
+  'lamp_controller',
+  'car_controller',
+  'finger_controller',
+  'motor_controller',
+  'imu_broadcaster',
+  'range_broadcaster',
+  'wrist_broadcaster',
 ];
 
 const config = `
@@ -481,8 +507,8 @@ for (const link of played('port', 'shared')) {
     near(numbers(output, 'car drives'), [1, 0.25], 0.001, 'car');
     near(numbers(output, 'grip'), [4, 1, 0.04], 0, 'grip');
     near(numbers(output, 'motor at'), [1], 0.02, 'motor');
-    assert.ok(output.includes("parameter: Parameter 'gains.motor.antiwindup_strategy' with the value 'never' is not in the set " +
-      "'{back_calculation, conditional_integration, legacy, none}'"), output);
+    assert.ok(output.includes("parameter: Parameter 'gains.motor.antiwindup_strategy' with the value 'never' is not in the set "
+      + "'{back_calculation, conditional_integration, legacy, none}'"), output);
     assert.match(output, /command size \(2\) does not match number of interfaces \(1\)/);
   });
 }

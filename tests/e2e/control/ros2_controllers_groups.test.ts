@@ -8,17 +8,34 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 const watchdog = { timeout: 300_000 };
 
 const JOINTS = {
-  spin: ['velocity'], pull: ['effort'], plain: ['position'], several: ['position', 'velocity'], finger: ['position'],
-  trike_right: ['velocity'], trike_left: ['velocity'], trike_steer: ['position'],
-  car_right: ['velocity'], car_left: ['velocity'], car_steer_right: ['position'], car_steer_left: ['position'],
+  spin: ['velocity'],
+  pull: ['effort'],
+  plain: ['position'],
+  several: ['position', 'velocity'],
+  finger: ['position'],
+  trike_right: ['velocity'],
+  trike_left: ['velocity'],
+  trike_steer: ['position'],
+  car_right: ['velocity'],
+  car_left: ['velocity'],
+  car_steer_right: ['position'],
+  car_steer_left: ['position'],
 } as const;
 
 const description = `<robot name="bench"><link name="base_link"/>
-${Object.keys(JOINTS).map((name) => `<link name="${name}_link"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
-<joint name="${name}" type="revolute"><parent link="base_link"/><child link="${name}_link"/><axis xyz="0 0 1"/><limit lower="-9" upper="9" velocity="99" effort="99"/></joint>`).join('\n')}
+${
+  Object.keys(JOINTS).map((name) =>
+    `<link name="${name}_link"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="${name}" type="revolute"><parent link="base_link"/><child link="${name}_link"/><axis xyz="0 0 1"/><limit lower="-9" upper="9" velocity="99" effort="99"/></joint>`
+  ).join('\n')
+}
 <ros2_control name="bench" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-${Object.entries(JOINTS).map(([name, kinds]) => `<joint name="${name}">${kinds.map((kind) => `<command_interface name="${kind}"/>`).join('')}
-${['position', 'velocity', 'effort'].map((kind) => `<state_interface name="${kind}"/>`).join('')}</joint>`).join('\n')}
+${
+  Object.entries(JOINTS).map(([name, kinds]) =>
+    `<joint name="${name}">${kinds.map((kind) => `<command_interface name="${kind}"/>`).join('')}
+${['position', 'velocity', 'effort'].map((kind) => `<state_interface name="${kind}"/>`).join('')}</joint>`
+  ).join('\n')
+}
 </ros2_control></robot>
 `;
 
@@ -185,11 +202,23 @@ test('groups, several interfaces, cars of two driven wheels and a gripper do wha
   const said = run.stdout.split('\n').filter((line) => line.startsWith('[checker')).map((line) => line.replace(/^.*?\] /, ''));
   // A twist of 0.5 m/s and 0.5 rad/s turns on 1 m: wheels of 0.1 m on a track of 0.4 m, steered by atan(1 / (1 +- 0.2)) or atan(1).
   assert.deepEqual(said, [
-    'spin velocity 2.500', 'pull effort -4.000', 'plain position 0.700', 'several position 0.200', 'several velocity 1.500',
-    'deactivated True', 'spin velocity 0.000', 'pull effort 0.000', 'plain position 0.700',
+    'spin velocity 2.500',
+    'pull effort -4.000',
+    'plain position 0.700',
+    'several position 0.200',
+    'several velocity 1.500',
+    'deactivated True',
+    'spin velocity 0.000',
+    'pull effort 0.000',
+    'plain position 0.700',
     'finger reached True, stalled False, 0.030',
-    'trike_right velocity 6.000', 'trike_left velocity 4.000', 'trike_steer position 0.785',
-    'car_right velocity 6.000', 'car_left velocity 4.000', 'car_steer_right position 0.695', 'car_steer_left position 0.896',
+    'trike_right velocity 6.000',
+    'trike_left velocity 4.000',
+    'trike_steer position 0.785',
+    'car_right velocity 6.000',
+    'car_left velocity 4.000',
+    'car_steer_right position 0.695',
+    'car_steer_left position 0.896',
     'all is checked',
   ], run.stdout + run.stderr);
 });

@@ -40,15 +40,25 @@ function seenInOrder(text: string): void {
 }
 
 test('nodes get what the launch file decides', () => {
-  const { nodes } = JSON.parse(workspace.read('site/site.json').toString()) as { nodes: unknown[] };
+  const { nodes } = JSON.parse(workspace.read('site/site.json').toString()) as { nodes: unknown[]; };
   const robot = (n: number, name: string, speed: string): unknown => ({
-    id: `robot-${n}`, package: 'two_robots', executable: 'robot', label: `robot (/${name})`, kind: 'cpp', program: 'programs/two_robots/robot.wasm',
-    names: 'programs/two_robots/robot.names', threads: false,
+    id: `robot-${n}`,
+    package: 'two_robots',
+    executable: 'robot',
+    label: `robot (/${name})`,
+    kind: 'cpp',
+    program: 'programs/two_robots/robot.wasm',
+    names: 'programs/two_robots/robot.names',
+    threads: false,
     arguments: ['--ros-args', '-r', `__ns:=/${name}`, '-p', '/**:battery:=4', '-p', `speed:=${speed}`],
-    environment: {}, output: 'screen', respawn: true, respawn_delay: 1, source: { file: 'share/two_robots/launch/robot.launch.yaml', line: 7, column: 11 },
+    environment: {},
+    output: 'screen',
+    respawn: true,
+    respawn_delay: 1,
+    source: { file: 'share/two_robots/launch/robot.launch.yaml', line: 7, column: 11 },
   });
   assert.deepEqual(nodes.slice(0, 2), [robot(1, 'alpha', '2.0'), robot(2, 'beta', '1.0')]);
-  assert.equal((nodes[2] as { start_after: number }).start_after, 1);
+  assert.equal((nodes[2] as { start_after: number; }).start_after, 1);
   assert.equal(nodes.length, 3);
 });
 
@@ -91,8 +101,8 @@ def generate_launch_description():
 `;
 
 test('the launch file in Python comes to the same, and nodes start when others have started or ended', async () => {
-  const nodes = (): { source: unknown; start_on?: unknown }[] =>
-    (JSON.parse(workspace.read('site/site.json').toString()) as { nodes: { source: unknown }[] }).nodes;
+  const nodes = (): { source: unknown; start_on?: unknown; }[] =>
+    (JSON.parse(workspace.read('site/site.json').toString()) as { nodes: { source: unknown; }[]; }).nodes;
   const withoutPlaces = (): unknown[] => nodes().map((node) => ({ ...node, source: undefined }));
   const written = withoutPlaces();
   const manifest = workspace.read('workspace.yaml').toString();
@@ -108,7 +118,9 @@ test('the launch file in Python comes to the same, and nodes start when others h
   writeFileSync(join(workspace.root, 'events.launch.py'), inPython);
   await pack('events.launch.py');
   assert.deepEqual(nodes().map(({ start_on: on }) => on), [
-    undefined, { node: 'robot-1', event: 'start' }, { node: 'robot-2', event: 'exit' },
+    undefined,
+    { node: 'robot-1', event: 'start' },
+    { node: 'robot-2', event: 'exit' },
   ]);
   for (const link of ['shared', 'port']) {
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '30s']);

@@ -112,8 +112,7 @@ test('the arguments are listed as ros2 launch lists them, and other launch files
 for (const link of played('port', 'shared')) {
   for (const site of ['in_xml', 'in_python']) {
     test(`${link}, ${site}: conditions, names, values and files follow the arguments`, async () => {
-      const run = (...given: string[]) =>
-        workspace.run(['run', site, ...given, '--link', link, '--until', 'empty', '--for', WATCHDOG]);
+      const run = (...given: string[]) => workspace.run(['run', site, ...given, '--link', link, '--until', 'empty', '--for', WATCHDOG]);
       const usual = await run();
       assert.equal(usual.code, 0, usual.stderr);
       assert.match(usual.stdout, /gamma\.robot\]: starting at 1\.0 m\/s/);
@@ -122,8 +121,18 @@ for (const link of played('port', 'shared')) {
       // The station, which no default starts, hears both.
       for (const heard of ['station.*delta is at 2.5', 'second.robot.: starting at 5.5']) {
         const other = await workspace.run([
-          'run', site, 'robot:=delta', 'speed:=2.5', 'load:=heavy', 'twice:=true', '--link', link,
-          '--until', heard, '--for', WATCHDOG,
+          'run',
+          site,
+          'robot:=delta',
+          'speed:=2.5',
+          'load:=heavy',
+          'twice:=true',
+          '--link',
+          link,
+          '--until',
+          heard,
+          '--for',
+          WATCHDOG,
         ]);
         assert.equal(other.code, 0, other.stdout + other.stderr);
         assert.doesNotMatch(other.stdout, /gamma/);
@@ -153,11 +162,13 @@ test('arguments that the manifest gives are those of the site, until a visitor g
   workspace.write('workspace.yaml', manifest.replace(/^launch: .*$/m, 'launch: {file: start.launch.py, arguments: {robot: delta, speed: 2.50}}'));
   const packed = await workspace.run(['pack', '-o', 'given']);
   assert.equal(packed.code, 0, packed.stderr);
-  for (const [given, heard, never] of [
-    [[], /delta\.robot\]: starting at 2\.5 m\/s/, /gamma/],
-    [['robot:=gamma'], /gamma\.robot\]: starting at 2\.5 m\/s/, /delta|station/],
-    [['speed:=1.0', 'size:=small'], /delta\.robot\]: starting at 1\.0 m\/s/, /gamma/],
-  ] as const) {
+  for (
+    const [given, heard, never] of [
+      [[], /delta\.robot\]: starting at 2\.5 m\/s/, /gamma/],
+      [['robot:=gamma'], /gamma\.robot\]: starting at 2\.5 m\/s/, /delta|station/],
+      [['speed:=1.0', 'size:=small'], /delta\.robot\]: starting at 1\.0 m\/s/, /gamma/],
+    ] as const
+  ) {
     const run = await workspace.run(['run', 'given', ...given, '--until', heard.source, '--for', WATCHDOG]);
     assert.equal(run.code, 0, run.stdout + run.stderr);
     assert.match(run.stdout, heard);
@@ -201,10 +212,13 @@ test('R2W0440, R2W0731, R2W0732: values that a site cannot follow', async () => 
   assert.equal(packed.code, 0, packed.stderr);
   assert.match(packed.stderr, /warning\[R2W0440\]: the launch file fails with mode:=bad/);
   assert.match(packed.stderr, /has no executable `no_such_program`/);
-  for (const [given, expected] of [
-    ['mode:=bad', /error\[R2W0402\]/], ['program:=station', /error\[R2W0731\]: the program `station` of package `two_robots`/],
-    ['part:=two', /error\[R2W0732\]/],
-  ] as const) {
+  for (
+    const [given, expected] of [
+      ['mode:=bad', /error\[R2W0402\]/],
+      ['program:=station', /error\[R2W0731\]: the program `station` of package `two_robots`/],
+      ['part:=two', /error\[R2W0732\]/],
+    ] as const
+  ) {
     const run = await workspace.run(['run', 'wrong', given]);
     assert.equal(run.code, 1);
     assert.match(run.stderr, expected);

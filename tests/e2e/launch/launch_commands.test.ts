@@ -80,7 +80,8 @@ before(async () => {
   workspace.write('workspace.yaml', 'schema: 1\nname: commands\npackages: []\ndependencies: [turtlesim]\nlaunch: commands.launch.py\n');
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
-  assert.match(packed.stderr, /warning\[R2W0415\]: `ros2 topic list \| grep pose` is skipped\n(?:.*\n)*?.*= why: a site has no shell, only the words of one command/);
+  assert.match(packed.stderr,
+    /warning\[R2W0415\]: `ros2 topic list \| grep pose` is skipped\n(?:.*\n)*?.*= why: a site has no shell, only the words of one command/);
   assert.match(packed.stderr, /warning\[R2W0415\]: `ros2 doctor` is skipped/);
   workspace.write('record.launch.xml', `<launch>
   <node pkg="turtlesim" exec="turtlesim_node"/>
@@ -168,7 +169,8 @@ test('in Chromium each command has its row and its console, and is started again
     const setting = 'ros2 param set room/sim background_r 120';
     const getting = 'ros2 param get room/sim background_r';
     await tileOf(`Console of ${getting}`).getByText('Integer value is: 200').waitFor();
-    await tileOf("Console of ros2 service call room/spawn turtlesim/srv/Spawn '{x: 2, y: 2, theta: 0.2}'").getByText("Spawn_Response(name='turtle2')").waitFor();
+    await tileOf("Console of ros2 service call room/spawn turtlesim/srv/Spawn '{x: 2, y: 2, theta: 0.2}'").getByText("Spawn_Response(name='turtle2')")
+      .waitFor();
     await tileOf('Console of the launch file').getByText('[launch.user]: a turtle is there').waitFor();
     await rowOf(setting).getByText('Finished, code 0').waitFor();
     await rowOf(setting).getByText(change, { exact: true }).waitFor();

@@ -80,7 +80,7 @@ function topic(): string {
 }
 
 test('the container of the package gets what the launch file says', () => {
-  const { nodes } = JSON.parse(workspace.read('site/site.json').toString()) as { nodes: Record<string, unknown>[] };
+  const { nodes } = JSON.parse(workspace.read('site/site.json').toString()) as { nodes: Record<string, unknown>[]; };
   assert.equal(nodes.length, 1);
   const [box] = nodes;
   assert.deepEqual([box?.['package'], box?.['executable'], box?.['label']], ['composed_talkers', 'component_container', '/c/box']);
@@ -92,7 +92,11 @@ test('the container of the package gets what the launch file says', () => {
     '--component=composed_talkers::Echo',
     ...['--ros-args', '-r', '__node:=ear', '-r', '__ns:=/in', '-p', '/in/ear:use_sim_time:=false', '-p', '/**:gain:=2.5', '-r', `${topic()}:=/numbers`]
       .map((word) => `--component-arg=${word}`),
-    '--ros-args', '-r', '__node:=box', '-r', '__ns:=/c',
+    '--ros-args',
+    '-r',
+    '__node:=box',
+    '-r',
+    '__ns:=/c',
   ]);
 });
 
@@ -111,7 +115,7 @@ test('callbacks of a container take turns, or run at the same time', async () =>
   const packed = await workspace.run(['pack', 'gates.yaml', '--output', 'gates'], kept());
   assert.equal(packed.code, 0, packed.stderr);
   assert.doesNotMatch(packed.stderr, /R2W0417/);
-  const { nodes } = JSON.parse(workspace.read('gates/site.json').toString()) as { nodes: { executable: string }[] };
+  const { nodes } = JSON.parse(workspace.read('gates/site.json').toString()) as { nodes: { executable: string; }[]; };
   assert.deepEqual(nodes.map((node) => node.executable), ['component_container_mt', 'component_container_isolated', 'component_container_isolated']);
   for (const name of ['mt', 'apart', 'apart_mt']) {
     const run = await workspace.run(['run', 'gates', '--link', 'shared', '--until', `\\[${name}\\.visitor\\]: came in`, '--for', '60s']);
@@ -142,8 +146,11 @@ launch:
     const run = await workspace.run(['run', container, '--link', 'shared', '--until', '2 /silent', '--for', '60s']);
     const said = `${run.stdout}${run.stderr}`;
     assert.equal(run.code, 0, said);
-    const told = said.split('\n').filter((line) => /^\[load_components-2\] (load|unload|\d)/.test(line)).map((line) => line.slice('[load_components-2] '.length));
-    assert.deepEqual(told, ['load composed_talkers::Counter: /clock', 'load composed_talkers::Silent: /silent', 'unload 1: done', 'unload 7: No node found with unique_id: 7', '2 /silent']);
+    const told = said.split('\n').filter((line) => /^\[load_components-2\] (load|unload|\d)/.test(line)).map((line) =>
+      line.slice('[load_components-2] '.length)
+    );
+    assert.deepEqual(told, ['load composed_talkers::Counter: /clock', 'load composed_talkers::Silent: /silent', 'unload 1: done',
+      'unload 7: No node found with unique_id: 7', '2 /silent']);
   }
 });
 
@@ -171,9 +178,9 @@ def generate_launch_description():
   workspace.write('two.yaml', 'schema: 1\nname: two\npackages: [src/*]\nlaunch: two.launch.py\n');
   const packed = await workspace.run(['pack', 'two.yaml', '--output', 'two'], kept());
   assert.equal(packed.code, 0, packed.stderr);
-  const { nodes } = JSON.parse(workspace.read('two/site.json').toString()) as { nodes: { package: string; label: string; program: string }[] };
-  assert.deepEqual(nodes.map((node) => [node.package, node.label, node.program]),
-    [['composed_talkers', '/box', 'programs/composed_talkers/component_container-other_talkers.wasm']]);
+  const { nodes } = JSON.parse(workspace.read('two/site.json').toString()) as { nodes: { package: string; label: string; program: string; }[]; };
+  assert.deepEqual(nodes.map((node) => [node.package, node.label, node.program]), [['composed_talkers', '/box',
+    'programs/composed_talkers/component_container-other_talkers.wasm']]);
   const run = await workspace.run(['run', 'two', '--until', '\\[ear\\]: heard 5', '--for', '60s']);
   assert.equal(run.code, 0, run.stderr);
 });

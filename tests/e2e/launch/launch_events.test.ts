@@ -69,7 +69,8 @@ let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
   workspace.addPackage('plain', { counts: node }, {
-    cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(counts rclcpp)', depends: ['rclcpp'],
+    cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(counts rclcpp)',
+    depends: ['rclcpp'],
   });
   workspace.write('events.launch.py', launchFile);
   workspace.write('workspace.yaml', 'schema: 1\nname: events\npackages: [src/*]\nlaunch: events.launch.py\n');

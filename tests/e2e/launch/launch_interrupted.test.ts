@@ -39,7 +39,9 @@ test('Ctrl-C is the reason that handlers of the end are told', async () => {
     said += bytes.toString();
     if (said.includes('Spawning turtle') && !before.includes('Spawning turtle')) child.kill('SIGINT');
   });
-  await new Promise((ended) => { child.once('close', ended); });
+  await new Promise((ended) => {
+    child.once('close', ended);
+  });
   assert.match(said, /\[INFO\] \[launch\.user\]: asked to end: ctrl-c \(SIGINT\)\n/);
   assert.match(said, /\[INFO\] \[launch\.user\]: because of ctrl-c \(SIGINT\)\n/);
 });

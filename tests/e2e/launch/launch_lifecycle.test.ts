@@ -82,7 +82,8 @@ before(async () => {
   workspace = new PackWorkspace('shared');
   workspace.copyPackages('lifecycle_sensor');
   workspace.addPackage('plain', { spins: plainNode }, {
-    cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(spins rclcpp)', depends: ['rclcpp'],
+    cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(spins rclcpp)',
+    depends: ['rclcpp'],
   });
   await pack('lives.launch.py', launchFile);
 });

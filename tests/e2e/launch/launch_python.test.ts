@@ -65,7 +65,8 @@ def generate_launch_description():
             [FindPackageShare('small'), 'launch', [LaunchConfiguration('part'), '.launch.py']]))),
     ])
 `;
-const part = (name: string): string => `from launch import LaunchDescription
+const part = (name: string): string =>
+  `from launch import LaunchDescription
 from launch_ros.actions import Node
 
 

@@ -25,8 +25,9 @@ after(() => ws.close());
 test('rviz2 and joint_state_publisher_gui become panels of the usual layout', async () => {
   const packed = await ws.run(['pack', 'workspace.yaml', '-o', 'site']);
   assert.equal(packed.code, 0, packed.stderr);
-  assert.match(packed.stderr, /note\[R2W0415\]: `joint_state_publisher_gui\/joint_state_publisher_gui` is not started: the panel Joints of the page replaces it/);
-  const { ui } = JSON.parse(ws.read('site/site.json').toString()) as { ui: { opens: unknown } };
+  assert.match(packed.stderr,
+    /note\[R2W0415\]: `joint_state_publisher_gui\/joint_state_publisher_gui` is not started: the panel Joints of the page replaces it/);
+  const { ui } = JSON.parse(ws.read('site/site.json').toString()) as { ui: { opens: unknown; }; };
   assert.deepEqual(ui.opens, [{ panel: 'joints' }, { panel: 'scene', file: 'share/arm/rviz/view.rviz' }]);
   assert.ok(ws.files('site').has('share/arm/rviz/view.rviz'));
 });
@@ -37,7 +38,7 @@ test('a launch file with only rviz2 is a site that shows the 3D view', async () 
   ws.write('look.yaml', 'schema: 1\nname: look\npackages: [src/*]\nlaunch: src/arm/launch/look.launch.xml\n');
   const packed = await ws.run(['pack', 'look.yaml', '-o', 'look']);
   assert.equal(packed.code, 0, packed.stderr);
-  const { ui, nodes } = JSON.parse(ws.read('look/site.json').toString()) as { ui: { opens: unknown }; nodes: unknown[] };
+  const { ui, nodes } = JSON.parse(ws.read('look/site.json').toString()) as { ui: { opens: unknown; }; nodes: unknown[]; };
   assert.deepEqual(nodes, []);
   assert.deepEqual(ui.opens, [{ panel: 'scene', file: 'share/arm/rviz/view.rviz' }]);
   const ran = await ws.run(['run', 'look', '--for', '1s']);
@@ -51,7 +52,7 @@ test('a launch file with only rviz2 is a site that shows the 3D view', async () 
 });
 
 // Compatibility, works: `urdf_launch` (display.launch.py, description.launch.py), which packages of robots include
-test('display.launch.py of urdf_launch shows a package\'s robot', async () => {
+test("display.launch.py of urdf_launch shows a package's robot", async () => {
   const shown = new PackWorkspace();
   try {
     shown.addPackage('leg', { hello: 'int main() {}\n' }, { cmake: 'install(DIRECTORY launch urdf DESTINATION share/${PROJECT_NAME})\n' });
@@ -70,7 +71,10 @@ def generate_launch_description():
     shown.write('workspace.yaml', 'schema: 1\nname: leg\npackages: [src/*]\nlaunch: src/leg/launch/display.launch.py\n');
     const packed = await shown.run(['pack', 'workspace.yaml', '-o', 'site']);
     assert.equal(packed.code, 0, packed.stderr);
-    const { ui, nodes } = JSON.parse(shown.read('site/site.json').toString()) as { ui: { opens: unknown }; nodes: { executable: string; arguments: string[] }[] };
+    const { ui, nodes } = JSON.parse(shown.read('site/site.json').toString()) as {
+      ui: { opens: unknown; };
+      nodes: { executable: string; arguments: string[]; }[];
+    };
     assert.deepEqual(ui.opens, [{ panel: 'joints' }, { panel: 'scene', file: 'share/urdf_launch/config/urdf.rviz' }]);
     assert.deepEqual(nodes.map(({ executable }) => executable), ['robot_state_publisher']);
     assert.ok(nodes[0]?.arguments.some((one) => one.includes('base_link')), 'the description');

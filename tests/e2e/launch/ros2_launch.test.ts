@@ -36,10 +36,12 @@ for (const link of played('shared', 'port')) {
     const shown = await finished(ros2('launch', '-s', ...file));
     assert.equal(shown.code, 0, shown.stderr);
     assert.match(shown.stdout, /'speed':\n {8}metres per second\n {8}\(default: '1\.0'\)/);
-    for (const [words, message] of [
-      [['nobody', 'bringup.launch.xml'], "Package 'nobody' not found\n"],
-      [['two_robots', 'other.launch.py'], "'two_robots other.launch.py': of launch files the site has: ros2 launch two_robots bringup.launch.xml\n"],
-    ] as const) {
+    for (
+      const [words, message] of [
+        [['nobody', 'bringup.launch.xml'], "Package 'nobody' not found\n"],
+        [['two_robots', 'other.launch.py'], "'two_robots other.launch.py': of launch files the site has: ros2 launch two_robots bringup.launch.xml\n"],
+      ] as const
+    ) {
       assert.deepEqual(await finished(ros2('launch', ...words)), { code: 1, stdout: '', stderr: message });
     }
     const wrong = await finished(ros2('launch', ...file, 'sped:=2.0'));

@@ -87,7 +87,12 @@ function start(session: Session, ...words: string[]): Running {
   const abort = new AbortController();
   const [out, warned]: [string[], string[]] = [[], []];
   const code = runCommand(session, ['bag', ...words], {
-    signal: abort.signal, bags: bagFiles, readText: textOfFile, takeInput: () => undefined, print: (text) => void out.push(text), warn: (text) => void warned.push(text),
+    signal: abort.signal,
+    bags: bagFiles,
+    readText: textOfFile,
+    takeInput: () => undefined,
+    print: (text) => void out.push(text),
+    warn: (text) => void warned.push(text),
   });
   return { out, warned, code, stop: () => abort.abort() };
 }
@@ -100,10 +105,12 @@ interface Contents {
 
 /** As others read it. */
 async function contents(bytes: Uint8Array): Promise<Contents> {
-  const reader = await McapIndexedReader.Initialize({ readable: {
-    size: () => Promise.resolve(BigInt(bytes.length)),
-    read: (offset, size) => Promise.resolve(bytes.slice(Number(offset), Number(offset + size))),
-  } });
+  const reader = await McapIndexedReader.Initialize({
+    readable: {
+      size: () => Promise.resolve(BigInt(bytes.length)),
+      read: (offset, size) => Promise.resolve(bytes.slice(Number(offset), Number(offset + size))),
+    },
+  });
   return {
     reader,
     async messages(topic) {
@@ -143,12 +150,14 @@ for (const link of played('port', 'shared')) {
 
       const info = start(session, 'info', `${bag}.mcap`);
       assert.equal(await info.code, 0, info.warned.join('\n'));
-      assert.match(info.out.join('\n'), new RegExp(['^', `Files: {13}${bag}\\.mcap`, 'Bag size: {10}\\d+\\.\\d KiB', 'Storage id: {8}mcap', 'ROS Distro: {8}jazzy',
-        'Duration: {10}\\d+\\.\\d{9}s', 'Start: {13}[A-Z][a-z]{2} [ \\d]\\d \\d{4} \\d\\d:\\d\\d:\\d\\d\\.\\d{9} \\(\\d{10}\\.\\d{9}\\)',
-        'End: {15}[A-Z][a-z]{2} [ \\d]\\d \\d{4} \\d\\d:\\d\\d:\\d\\d\\.\\d{9} \\(\\d{10}\\.\\d{9}\\)', 'Messages: {10}\\d+',
-        'Topic information: Topic: /topic \\| Type: std_msgs/msg/String \\| Count: \\d+ \\| Serialization Format: cdr',
-        ' {19}Topic: /turtle1/pose \\| Type: turtlesim/msg/Pose \\| Count: \\d+ \\| Serialization Format: cdr',
-        'Service: {11}0', 'Service information: ', '$'].join('\n')));
+      assert.match(info.out.join('\n'), new RegExp(
+        ['^', `Files: {13}${bag}\\.mcap`, 'Bag size: {10}\\d+\\.\\d KiB', 'Storage id: {8}mcap', 'ROS Distro: {8}jazzy', 'Duration: {10}\\d+\\.\\d{9}s',
+          'Start: {13}[A-Z][a-z]{2} [ \\d]\\d \\d{4} \\d\\d:\\d\\d:\\d\\d\\.\\d{9} \\(\\d{10}\\.\\d{9}\\)',
+          'End: {15}[A-Z][a-z]{2} [ \\d]\\d \\d{4} \\d\\d:\\d\\d:\\d\\d\\.\\d{9} \\(\\d{10}\\.\\d{9}\\)', 'Messages: {10}\\d+',
+          'Topic information: Topic: /topic \\| Type: std_msgs/msg/String \\| Count: \\d+ \\| Serialization Format: cdr',
+          ' {19}Topic: /turtle1/pose \\| Type: turtlesim/msg/Pose \\| Count: \\d+ \\| Serialization Format: cdr', 'Service: {11}0', 'Service information: ',
+          '$'].join('\n'),
+      ));
       const names = start(session, 'info', '-t', `${bag}.mcap`);
       await names.code;
       assert.deepEqual(names.out, ['/topic', '/turtle1/pose']);
@@ -190,7 +199,8 @@ for (const link of played('port', 'shared')) {
 // Compatibility, works: bags that the manifest packs into a site (`ui: bags:`)
 test('a bag of the manifest is a file of the site, with its hash', watchdog, () => {
   const { ui, files } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as {
-    ui: unknown; files: { path: string; sha256: string; reason: string }[];
+    ui: unknown;
+    files: { path: string; sha256: string; reason: string; }[];
   };
   assert.deepEqual(ui, { bags: ['bags/bags/walk.mcap'] });
   const bytes = readFileSync(join(workspace.root, 'bags/walk.mcap'));
@@ -221,17 +231,22 @@ test('from a shell: Ctrl-C ends a recording, which is whole', watchdog, async ()
 
 /** Says so when the listener has printed it so often. */
 const heardTimes = (page: Page, text: string, times: number): Promise<unknown> =>
-  page.waitForFunction(([wanted, count]) => (document.querySelector('.panel-console')?.textContent ?? '').split(wanted).length > count, [text, times] as const, patience);
+  page.waitForFunction(([wanted, count]) => (document.querySelector('.panel-console')?.textContent ?? '').split(wanted).length > count, [text, times] as const,
+    patience);
 
 for (const link of played('shared', 'port')) {
   test(`${link}: the page records talker and turtlesim; dropped on it, the listener hears the bag`, watchdog, async () => {
     await withTabs(browser, site, link, async (open) => {
-      const layout = encodeURIComponent(JSON.stringify({ row: [{ column: ['nodes', 'console'] }, { column: ['bag', 'terminal'] }], sizes: [1, 1], shown: 'bag' }));
+      const layout = encodeURIComponent(
+        JSON.stringify({ row: [{ column: ['nodes', 'console'] }, { column: ['bag', 'terminal'] }], sizes: [1, 1], shown: 'bag' }),
+      );
       const page = await open(`#layout=${layout}`);
       page.setDefaultTimeout(patience.timeout);
       await shows(page, "Publishing: 'Hello, world! 0'");
       await page.getByRole('button', { name: 'Record', exact: true }).click();
-      await page.waitForFunction(() => Number(/(\d+) messages of/.exec(document.querySelector('.bag-recording')?.textContent?.replaceAll('\u202f', '') ?? '')?.[1]) > 150);
+      await page.waitForFunction(() =>
+        Number(/(\d+) messages of/.exec(document.querySelector('.bag-recording')?.textContent?.replaceAll('\u202f', '') ?? '')?.[1]) > 150
+      );
       await page.getByRole('button', { name: 'Stop recording' }).click();
       const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: /^Download rosbag2_/ }).click()]);
       const bytes = new Uint8Array(readFileSync(await download.path()));

@@ -10,7 +10,8 @@ import { after, before, test } from 'node:test';
 
 import { PackWorkspace } from '../support/pack_workspace.ts';
 
-const python = (body: string): string => `import threading
+const python = (body: string): string =>
+  `import threading
 
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -28,7 +29,8 @@ ${body.trimEnd().split('\n').map((line) => `    ${line}`).join('\n')}
 `;
 
 /** Asks a service of its own from a timer, which belongs to the group \`asking\`. */
-const ask = (executor: string, group: string): string => `node = rclpy.create_node('asker')
+const ask = (executor: string, group: string): string =>
+  `node = rclpy.create_node('asker')
 asking = MutuallyExclusiveCallbackGroup()
 node.create_service(Trigger, '~/service', lambda _, answer: answer, callback_group=MutuallyExclusiveCallbackGroup())
 client = node.create_client(Trigger, '~/service', callback_group=${group})
@@ -101,9 +103,12 @@ let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace('shared');
   workspace.addPythonPackage('waits', PROGRAMS, ['rclpy', 'std_srvs']);
-  workspace.addPackage('waits_cpp', { nested: CPP }, { depends: ['rclcpp', 'std_srvs'], cmake: `find_package(rclcpp REQUIRED)
+  workspace.addPackage('waits_cpp', { nested: CPP }, {
+    depends: ['rclcpp', 'std_srvs'],
+    cmake: `find_package(rclcpp REQUIRED)
 find_package(std_srvs REQUIRED)
-ament_target_dependencies(nested rclcpp std_srvs)` });
+ament_target_dependencies(nested rclcpp std_srvs)`,
+  });
   const nodes = Object.keys(PROGRAMS).map((name) => `  - {package: waits, executable: ${name}, name: ${name}}\n`).join('');
   workspace.write('workspace.yaml', `schema: 1\nname: waits\npackages: [src/*]\nlaunch:\n${nodes}  - {package: waits_cpp, executable: nested}\n`);
 });

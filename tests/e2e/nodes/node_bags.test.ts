@@ -149,21 +149,23 @@ function metadataOf(file: string): string {
 
 interface Bag {
   readonly reader: McapIndexedReader;
-  readonly messages: readonly { readonly topic: string; readonly logTime: bigint; readonly value: unknown }[];
+  readonly messages: readonly { readonly topic: string; readonly logTime: bigint; readonly value: unknown; }[];
 }
 
 /** As others read it. */
 async function openBag(bytes: Uint8Array): Promise<Bag> {
-  const reader = await McapIndexedReader.Initialize({ readable: {
-    size: () => Promise.resolve(BigInt(bytes.length)),
-    read: (offset, size) => Promise.resolve(bytes.slice(Number(offset), Number(offset + size))),
-  } });
+  const reader = await McapIndexedReader.Initialize({
+    readable: {
+      size: () => Promise.resolve(BigInt(bytes.length)),
+      read: (offset, size) => Promise.resolve(bytes.slice(Number(offset), Number(offset + size))),
+    },
+  });
   const messages: Bag['messages'][number][] = [];
   for await (const { channelId, logTime, data } of reader.readMessages()) {
     const { topic, schemaId } = reader.channelsById.get(channelId)!;
     const schema = reader.schemasById.get(schemaId)!;
     const decode = new MessageReader(parseDefinition(new TextDecoder().decode(schema.data), { ros2: true }));
-    messages.push({ topic, logTime, value: (decode.readMessage(data) as { readonly data: unknown }).data });
+    messages.push({ topic, logTime, value: (decode.readMessage(data) as { readonly data: unknown; }).data });
   }
   return { reader, messages };
 }
@@ -171,15 +173,15 @@ async function openBag(bytes: Uint8Array): Promise<Bag> {
 interface Metadata {
   readonly version: number;
   readonly storage_identifier: string;
-  readonly duration: { readonly nanoseconds: bigint };
-  readonly starting_time: { readonly nanoseconds_since_epoch: bigint };
+  readonly duration: { readonly nanoseconds: bigint; };
+  readonly starting_time: { readonly nanoseconds_since_epoch: bigint; };
   readonly message_count: bigint;
   readonly topics_with_message_count: readonly {
-    readonly topic_metadata: { readonly name: string; readonly type: string; readonly serialization_format: string };
+    readonly topic_metadata: { readonly name: string; readonly type: string; readonly serialization_format: string; };
     readonly message_count: bigint;
   }[];
   readonly relative_file_paths: readonly string[];
-  readonly files: readonly { readonly path: string; readonly message_count: bigint }[];
+  readonly files: readonly { readonly path: string; readonly message_count: bigint; }[];
   readonly custom_data: unknown;
   readonly ros_distro: string;
 }
@@ -195,13 +197,22 @@ async function bagOf(folder: string, node: string, name: string, topic: string, 
   const [first, last] = [messages.at(0)?.logTime ?? 0n, messages.at(-1)?.logTime ?? 0n];
   const count = BigInt(messages.length);
   assert.deepEqual({ ...said, topics_with_message_count: [] }, {
-    version: 9n, storage_identifier: 'mcap', duration: { nanoseconds: last - first }, starting_time: { nanoseconds_since_epoch: first },
-    message_count: count, topics_with_message_count: [], compression_format: '', compression_mode: '',
-    relative_file_paths: [`${name}_0.mcap`], custom_data: null, ros_distro: 'jazzy',
+    version: 9n,
+    storage_identifier: 'mcap',
+    duration: { nanoseconds: last - first },
+    starting_time: { nanoseconds_since_epoch: first },
+    message_count: count,
+    topics_with_message_count: [],
+    compression_format: '',
+    compression_mode: '',
+    relative_file_paths: [`${name}_0.mcap`],
+    custom_data: null,
+    ros_distro: 'jazzy',
     files: [{ path: `${name}_0.mcap`, starting_time: { nanoseconds_since_epoch: first }, duration: { nanoseconds: last - first }, message_count: count }],
   });
   assert.deepEqual(said.topics_with_message_count, [{
-    topic_metadata: { name: topic, type, serialization_format: 'cdr', offered_qos_profiles: [], type_description_hash: '' }, message_count: count,
+    topic_metadata: { name: topic, type, serialization_format: 'cdr', offered_qos_profiles: [], type_description_hash: '' },
+    message_count: count,
   }]);
   assert.equal(reader.header.profile, 'ros2');
   assert.equal(reader.statistics?.messageCount, count);
@@ -224,7 +235,9 @@ async function heard(link: string, folder: string, wanted: readonly RegExp[]): P
   };
   child.stdout?.on('data', hear('stdout'));
   child.stderr?.on('data', hear('stderr'));
-  const code = await new Promise((ended) => { child.once('close', ended); });
+  const code = await new Promise((ended) => {
+    child.once('close', ended);
+  });
   const all = text.stdout + text.stderr;
   assert.equal(code, 130, all);
   for (const line of wanted) assert.match(all, line);
@@ -235,12 +248,18 @@ for (const link of played('shared', 'port')) {
   test(`${link}: nodes record, make, read and play bags, which are written to disk`, watchdog, async () => {
     const folder = `kept-${link}`;
     const said = await heard(link, folder, [
-      /\[recorder\]: recorded \d+ bytes\n[^]*\[recorder\]: recorded/, /\[simple_bag_recorder\]: recorded Hello World: \d+\n[^]*\[simple_bag_recorder\]: recorded/,
-      /\[bags-\d\] .*all \d+ checks hold/, /\[bags-\d\] process has finished cleanly/, /\[generator-\d\] process has finished cleanly/, /\[generator_py-\d\] process has finished cleanly/,
-      /played compressed/, /\[simple_bag_reader\]: Publish serialized data to chatter\n[^]*\[simple_bag_reader\]: Publish/,
+      /\[recorder\]: recorded \d+ bytes\n[^]*\[recorder\]: recorded/,
+      /\[simple_bag_recorder\]: recorded Hello World: \d+\n[^]*\[simple_bag_recorder\]: recorded/,
+      /\[bags-\d\] .*all \d+ checks hold/,
+      /\[bags-\d\] process has finished cleanly/,
+      /\[generator-\d\] process has finished cleanly/,
+      /\[generator_py-\d\] process has finished cleanly/,
+      /played compressed/,
+      /\[simple_bag_reader\]: Publish serialized data to chatter\n[^]*\[simple_bag_reader\]: Publish/,
     ]);
     assert.match(said, /\[generator_py-\d\] read 100 of synthetic, 4950 in all/);
-    assert.match(said, /\[generator_py-\d\] Topic information: Topic: synthetic \| Type: example_interfaces\/msg\/Int32 \| Count: 100 \| Serialization Format: cdr/);
+    assert.match(said,
+      /\[generator_py-\d\] Topic information: Topic: synthetic \| Type: example_interfaces\/msg\/Int32 \| Count: 100 \| Serialization Format: cdr/);
     assert.match(said, /\[generator_py-\d\] chatter at 1700000000000000001: compressed/);
     assert.match(said, /\[generator_py-\d\] refused: bags of the storage 'sqlite3'/);
     assert.match(said, /\[replayer-\d\] played from the share/);
@@ -274,13 +293,16 @@ nightlyTest('two stepped runs of one seed write the same bags', watchdog, async 
   }
   assert.deepEqual(bags[0], bags[1]);
   const names = [...bags[0]!.keys()];
-  for (const name of ['my_bag_0.mcap', 'py_bag_0.mcap', 'big_synthetic_bag_0.mcap']) assert.ok(names.some((path) => path.endsWith(`/${name}`)), names.join('\n'));
+  for (const name of ['my_bag_0.mcap', 'py_bag_0.mcap', 'big_synthetic_bag_0.mcap'])
+    assert.ok(names.some((path) => path.endsWith(`/${name}`)), names.join('\n'));
 });
 
 for (const link of played('port', 'shared')) {
   test(`${link}: in the page the bag of a node that is stopped is listed, played and downloaded`, watchdog, async () => {
     await withTabs(browser, site, link, async (open) => {
-      const layout = encodeURIComponent(JSON.stringify({ row: [{ column: ['nodes', 'console'] }, { column: ['bag', 'terminal'] }], sizes: [1, 1], shown: 'bag' }));
+      const layout = encodeURIComponent(
+        JSON.stringify({ row: [{ column: ['nodes', 'console'] }, { column: ['bag', 'terminal'] }], sizes: [1, 1], shown: 'bag' }),
+      );
       const page = await open(`#layout=${layout}`);
       page.setDefaultTimeout(patience.timeout);
       await shows(page, 'recorded Hello World: ');

@@ -15,11 +15,17 @@ const root = resolve(import.meta.dirname, '../../..');
 const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-board-'));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
-function board(args: readonly string[]): Promise<{ readonly code: number; readonly rows: readonly Row[]; readonly output: string }> {
+function board(args: readonly string[]): Promise<{ readonly code: number; readonly rows: readonly Row[]; readonly output: string; }> {
   const json = join(folder, 'rows.json');
   return new Promise((done) => {
     execFile(process.execPath, [
-      join(root, 'tests/scoreboard/run.ts'), '--build', dirname(CLI), '--json', json, join(root, 'tests/packages'), ...args,
+      join(root, 'tests/scoreboard/run.ts'),
+      '--build',
+      dirname(CLI),
+      '--json',
+      json,
+      join(root, 'tests/packages'),
+      ...args,
     ], { env: { ...process.env, XDG_CACHE_HOME: process.env['ROS2WASM_TEST_CACHE'] ?? join(folder, 'cache') } }, (error, output, errors) => {
       const code = typeof error?.code === 'number' ? error.code : 0;
       done({ code, output: `${output}${errors}`, rows: code === 2 ? [] : JSON.parse(readFileSync(json, 'utf8')) as Row[] });
@@ -27,8 +33,11 @@ function board(args: readonly string[]): Promise<{ readonly code: number; readon
   });
 }
 
-const stated = parse(readFileSync(join(root, 'tests/scoreboard/expectations/own_packages.yaml'), 'utf8')) as
-  readonly { readonly package: string; readonly executable?: string; readonly launch?: string }[];
+const stated = parse(readFileSync(join(root, 'tests/scoreboard/expectations/own_packages.yaml'), 'utf8')) as readonly {
+  readonly package: string;
+  readonly executable?: string;
+  readonly launch?: string;
+}[];
 const rowsOf = (prefix: string): string[] =>
   stated.filter((row) => row.package.startsWith(prefix)).map((row) => `${row.package}/${row.executable ?? row.launch}`);
 
@@ -38,12 +47,12 @@ const learned = rowsOf('learn_');
 const simulated = rowsOf('sim_');
 
 nightlyTest('components, linked, loaded and in a container; interfaces of another package of the workspace', { timeout: 500_000 }, async () => {
-  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader', '--only', 'lifecycle_sensor/launch']);
+  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader',
+    '--only', 'lifecycle_sensor/launch']);
   assert.equal(code, 0, output);
-  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
-    ['board_companions/load_components', 'board_companions/set_parameters', 'composed_talkers/composed_talkers::Echo',
-      'composed_talkers/linked', 'composed_talkers/loaded', 'composed_talkers/launch/composed.launch.py', 'countdown/client',
-      'countdown/server', 'countdown/launch/countdown.launch.xml', 'key_reader/keys', 'lifecycle_sensor/launch/sensor.launch.yaml']);
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`), ['board_companions/load_components', 'board_companions/set_parameters',
+    'composed_talkers/composed_talkers::Echo', 'composed_talkers/linked', 'composed_talkers/loaded', 'composed_talkers/launch/composed.launch.py',
+    'countdown/client', 'countdown/server', 'countdown/launch/countdown.launch.xml', 'key_reader/keys', 'lifecycle_sensor/launch/sensor.launch.yaml']);
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true));
   assert.deepEqual(rows.filter((row) => row.log_lines.length === 0).map((row) => row.package), ['lifecycle_sensor']);
   assert.deepEqual(rows.filter((row) => row.kind === 'launch').map((row) => row.package), ['composed_talkers', 'countdown', 'lifecycle_sensor']);
@@ -54,9 +63,8 @@ nightlyTest('components, linked, loaded and in a container; interfaces of anothe
 nightlyTest('in Chromium: files of a package and of a program, standard input, and a launch file', { timeout: 500_000 }, async () => {
   const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader', '--only', 'countdown/launch']);
   assert.equal(code, 0, output);
-  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
-    ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/plain', 'file_checks/share', 'file_checks/threads_write', 'file_checks/written',
-      'file_checks/written_in_a_thread', 'key_reader/keys']);
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`), ['countdown/launch/countdown.launch.xml', 'file_checks/own_files',
+    'file_checks/plain', 'file_checks/share', 'file_checks/threads_write', 'file_checks/written', 'file_checks/written_in_a_thread', 'key_reader/keys']);
 });
 
 /** Those of Python, but one with a companion of C++, whose build is the longer part. */
@@ -99,7 +107,10 @@ test('a row that is not as expected is red, and a launch file with wrong argumen
   const { code, rows } = await board(['--only', 'composed_talkers/linked', '--only', 'composed_talkers/launch', '--expect', file]);
   assert.equal(code, 1);
   assert.deepEqual(rows.map(({ executable, expected, error }) => [executable, expected, error?.code]), [
-    ['linked', false, 'unmet'], ['launch/absent.launch.xml', null, 'absent'], ['launch/composed.launch.py', null, 'R2W0412']]);
+    ['linked', false, 'unmet'],
+    ['launch/absent.launch.xml', null, 'absent'],
+    ['launch/composed.launch.py', null, 'R2W0412'],
+  ]);
   assert.equal(rows[0]?.error?.reason, 'no line fits ^/nobody$');
 });
 

@@ -34,11 +34,28 @@ const entry = new URL('../../../runtime/site/session/headless.ts', import.meta.u
 const waitMs = 100;
 const ways = {
   waits: [
-    'sleep_for', 'sleep_until', 'usleep', 'nanosleep', 'rclcpp::sleep_for', 'Clock::sleep_for', 'Rate', 'condition_variable',
-    'future', 'wall timer', 'ROS timer', 'spin_until_future_complete', 'wait_for_service', 'deadline', 'lifespan',
+    'sleep_for',
+    'sleep_until',
+    'usleep',
+    'nanosleep',
+    'rclcpp::sleep_for',
+    'Clock::sleep_for',
+    'Rate',
+    'condition_variable',
+    'future',
+    'wall timer',
+    'ROS timer',
+    'spin_until_future_complete',
+    'wait_for_service',
+    'deadline',
+    'lifespan',
   ],
   threaded_waits: [
-    "thread's sleep_for", 'condition_variable', "thread's condition_variable", 'three at once', 'timed mutex',
+    "thread's sleep_for",
+    'condition_variable',
+    "thread's condition_variable",
+    'three at once',
+    'timed mutex',
     'future of a thread',
   ],
 };
@@ -128,7 +145,7 @@ async function holdAndStep(program: keyof typeof ways, broker: SharedBroker | Po
 }
 
 /** A stepped run of 5 s of site time: its messages and their hash. */
-async function steppedRun(seed: number): Promise<{ sent: string; hash: string }> {
+async function steppedRun(seed: number): Promise<{ sent: string; hash: string; }> {
   const file = join(workspace.root, `sent_${seed}.jsonl`);
   const ran = await workspace.run(['run', 'dice', '--stepped', '--seed', String(seed), '--for', '5s', '--trace', file]);
   assert.equal(ran.code, 0, ran.stderr);
@@ -138,12 +155,10 @@ async function steppedRun(seed: number): Promise<{ sent: string; hash: string }>
 
 const watchdog = { timeout: 240_000 };
 
-test('every wait of a program without threads follows held time on the shared link', watchdog, () =>
-  holdAndStep('waits', new SharedBroker({ ceiling: 256 << 20 })));
-test('every wait of a program without threads follows held time on the port link', watchdog, () =>
-  holdAndStep('waits', new PortBroker()));
-test('every wait of threads follows held time', watchdog, () =>
-  holdAndStep('threaded_waits', new SharedBroker({ ceiling: 256 << 20 })));
+test('every wait of a program without threads follows held time on the shared link', watchdog,
+  () => holdAndStep('waits', new SharedBroker({ ceiling: 256 << 20 })));
+test('every wait of a program without threads follows held time on the port link', watchdog, () => holdAndStep('waits', new PortBroker()));
+test('every wait of threads follows held time', watchdog, () => holdAndStep('threaded_waits', new SharedBroker({ ceiling: 256 << 20 })));
 
 test('two stepped runs of a seed send the same messages, another seed others', watchdog, async () => {
   const [first, again, other] = [await steppedRun(7), await steppedRun(7), await steppedRun(8)];
@@ -151,7 +166,7 @@ test('two stepped runs of a seed send the same messages, another seed others', w
   assert.equal(again.hash, first.hash);
   assert.notEqual(other.hash, first.hash);
   // The site did what it is there for: three nodes threw some hundred times, and each throw was summed by each.
-  const messages = first.sent.trimEnd().split('\n').map((line) => JSON.parse(line) as { node: string; name: string; stamp: string });
+  const messages = first.sent.trimEnd().split('\n').map((line) => JSON.parse(line) as { node: string; name: string; stamp: string; });
   const thrown = messages.filter((message) => message.name === '/thrown');
   assert.equal(new Set(thrown.map(({ node }) => node)).size, 3);
   assert.ok(thrown.length > 300, `${thrown.length} throws`);

@@ -388,32 +388,34 @@ for (const link of played('port', 'shared')) {
       'changed pad drives 2.00 0.20',
       'locked drives 2.00 0.20', // the lock has the priority of the pad, the navigation less
     ]);
-    for (const line of [
-      'set: 1',
-      'lock: locked (listening to pause_navigation @ 0.000000s with priority #100)',
-      'marker in base_link to 2.00 0.20',
-      'stamped base_link 0.25 is new: 1',
-      'subscriptions without one of lazily: 8',
-      'subscriptions with one of lazily: 9',
-      list('numbers_relay', range(1, 50)),
-      list('lazily', range(1, 50)),
-      list('composed', range(1, 50)),
-      list('numbers_drop', range(1, 50).filter((one) => one % 3 !== 1)),
-      list('first_bytes', [1, 2, 3]), // 8 bytes each: 0, 8 and 16 are fewer than 20
-      list('numbers_delay', range(1, 50)),
-      list('chosen', range(1, 50)),
-      list('left', range(1, 50)),
-      'right:',
-      'mux lists numbers others ',
-      'select others: 1 before numbers',
-      'select unknown: 0',
-      'delete selected: 0',
-      'add third: 1, again: 0',
-      'delete numbers: 1',
-      'select right: 1 before left',
-      'then chosen: 201 left: right: 101',
-      'at last chosen: 201 right: 101',
-    ]) assert.ok(lines.includes(line), `the driver does not say: ${line}\n${output}`);
+    for (
+      const line of [
+        'set: 1',
+        'lock: locked (listening to pause_navigation @ 0.000000s with priority #100)',
+        'marker in base_link to 2.00 0.20',
+        'stamped base_link 0.25 is new: 1',
+        'subscriptions without one of lazily: 8',
+        'subscriptions with one of lazily: 9',
+        list('numbers_relay', range(1, 50)),
+        list('lazily', range(1, 50)),
+        list('composed', range(1, 50)),
+        list('numbers_drop', range(1, 50).filter((one) => one % 3 !== 1)),
+        list('first_bytes', [1, 2, 3]), // 8 bytes each: 0, 8 and 16 are fewer than 20
+        list('numbers_delay', range(1, 50)),
+        list('chosen', range(1, 50)),
+        list('left', range(1, 50)),
+        'right:',
+        'mux lists numbers others ',
+        'select others: 1 before numbers',
+        'select unknown: 0',
+        'delete selected: 0',
+        'add third: 1, again: 0',
+        'delete numbers: 1',
+        'select right: 1 before left',
+        'then chosen: 201 left: right: 101',
+        'at last chosen: 201 right: 101',
+      ]
+    ) assert.ok(lines.includes(line), `the driver does not say: ${line}\n${output}`);
     assert.match(output, /\[mux\]: tried to delete currently selected topic \/others from mux/);
     const delay = Number(/least delay ([\d.]+)/.exec(output)?.[1]);
     assert.ok(delay >= 0.3, `a message was delayed by ${String(delay)} s`);

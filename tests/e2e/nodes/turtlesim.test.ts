@@ -51,13 +51,20 @@ launch:
     const said = ran.stdout + ran.stderr;
     assert.equal(ran.code, 0, said);
     assert.doesNotMatch(said, /does not hold/);
-    for (const text of [
-      'A turtle named [turtle2] already exists', 'Cannot spawn a turtle named [no name/of a topic]: ',
-      'Tried to kill turtle [bob], which does not exist', 'Clearing turtlesim.', 'Resetting turtlesim.',
-      'Oh no! I hit the wall! (Clamping from [x=100.000000, y=111.088889])', 'Rotation goal completed successfully',
-      'Rotation goal received before a previous goal finished. Aborting previous goal', 'Rotation goal canceled',
-      'Velocity command received during rotation goal. Aborting goal',
-    ]) assert.ok(said.includes(text), `${text} in\n${said}`);
+    for (
+      const text of [
+        'A turtle named [turtle2] already exists',
+        'Cannot spawn a turtle named [no name/of a topic]: ',
+        'Tried to kill turtle [bob], which does not exist',
+        'Clearing turtlesim.',
+        'Resetting turtlesim.',
+        'Oh no! I hit the wall! (Clamping from [x=100.000000, y=111.088889])',
+        'Rotation goal completed successfully',
+        'Rotation goal received before a previous goal finished. Aborting previous goal',
+        'Rotation goal canceled',
+        'Velocity command received during rotation goal. Aborting goal',
+      ]
+    ) assert.ok(said.includes(text), `${text} in\n${said}`);
     // 16 ms by the clock of the site, which a busy machine cannot delay when it is stepped.
     assert.match(said, how.includes('--stepped') ? /the pose comes at 62\.\d Hz/ : /the pose comes at \d/);
   }
@@ -102,7 +109,9 @@ class Driven {
     while (!condition()) {
       assert.ok(performance.now() < end, `${this.posed(0)} ${this.posed(3)}\n${this.said.join('\n')}`);
       meanwhile();
-      await new Promise((done) => { setTimeout(done, 100); });
+      await new Promise((done) => {
+        setTimeout(done, 100);
+      });
     }
   }
 
@@ -118,7 +127,7 @@ class Driven {
   }
 
   private newest(topic: string): DataView | undefined {
-    this.session.topics();  // samples are taken while somebody looks
+    this.session.topics(); // samples are taken while somebody looks
     const bytes = this.session.lastMessage(topic)?.bytes;
     return bytes === undefined ? undefined : new DataView(bytes.buffer, bytes.byteOffset);
   }
@@ -157,8 +166,11 @@ test('example 03: a turtle driven by keys', watchdog, async () => {
     assert.match(said.join('\n'), expectation('expected.txt'));
     const banner = said.filter((line) => line.startsWith(`[${TELEOP}]`));
     assert.deepEqual(banner, [
-      'Reading from keyboard', '---------------------------', 'Use arrow keys to move the turtle.',
-      "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.", "'Q' to quit.",
+      'Reading from keyboard',
+      '---------------------------',
+      'Use arrow keys to move the turtle.',
+      "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
+      "'Q' to quit.",
     ].map((line) => `[${TELEOP}] ${line}`));
   } finally {
     driven.close();

@@ -24,7 +24,9 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 const HEADLESS = resolve(process.env['ROS2WASM_BUILD'] ?? 'build', 'runtime/headless.js');
 const watchdog = { timeout: 400_000 };
 let workspace: PackWorkspace;
-before(() => { workspace = new PackWorkspace('shared'); });
+before(() => {
+  workspace = new PackWorkspace('shared');
+});
 after(() => workspace.close());
 
 /** A site that runs in this process: what its nodes say, and what they publish. */
@@ -45,12 +47,15 @@ class Played {
     workspace.write('workspace.yaml', manifest);
     const platform = nodePlatform(await workspace.packed(), pathToFileURL(HEADLESS));
     const site = readSite(await platform.json('site.json'));
-    return new Played((onLine) => new SiteSession({
-      site,
-      platform,
-      broker: new SharedBroker(),
-      onLines: (node, lines) => { for (const [, , text] of lines) onLine(`[${node.id}] ${text}`); },
-    }), () => platform.close());
+    return new Played((onLine) =>
+      new SiteSession({
+        site,
+        platform,
+        broker: new SharedBroker(),
+        onLines: (node, lines) => {
+          for (const [, , text] of lines) onLine(`[${node.id}] ${text}`);
+        },
+      }), () => platform.close());
   }
 
   async until(what: string, condition: () => boolean, meanwhile: () => void = () => undefined): Promise<void> {
@@ -58,7 +63,9 @@ class Played {
     while (!condition()) {
       assert.ok(performance.now() < end, `${what}\n${this.said.join('\n')}`);
       meanwhile();
-      await new Promise((done) => { setTimeout(done, 50); });
+      await new Promise((done) => {
+        setTimeout(done, 50);
+      });
     }
   }
 
@@ -130,7 +137,7 @@ launch:
       const decoder = createDecoder(await played.session.interfaces());
       const type = `geometry_msgs/msg/Twist${stamped ? 'Stamped' : ''}`;
       const driven = (): string => {
-        played.session.topics();  // samples are taken while somebody looks
+        played.session.topics(); // samples are taken while somebody looks
         const bytes = played.session.lastMessage('/cmd_vel')?.bytes;
         const decoded = bytes === undefined ? undefined : decoder.decode(type, bytes);
         return decoded?.kind === 'value' ? JSON.stringify(decoded.value) : '';

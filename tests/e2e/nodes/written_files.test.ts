@@ -26,7 +26,11 @@ const headless = fileURLToPath(new URL('../../../runtime/site/session/headless.t
 const often = Array.from({ length: 500 }, (_, i) => `${i}\n`).join('');
 /** The files that tests/packages/chatter_py/scripts/files writes. */
 const wanted: Readonly<Record<string, string>> = {
-  'logs/kept_open.csv': 'time,x\r\n', 'often.csv': often, 'map.pgm': 'P5 1 1 255\n\x7f', 'poses.new': 'at home', 'poses.txt': 'at home',
+  'logs/kept_open.csv': 'time,x\r\n',
+  'often.csv': often,
+  'map.pgm': 'P5 1 1 255\n\x7f',
+  'poses.new': 'at home',
+  'poses.txt': 'at home',
 };
 let folder = '';
 let browser: Browser;
@@ -42,12 +46,14 @@ after(async () => {
 });
 
 /** The output of a headless run, and the files in the folder of `--bags` after it. */
-async function runWithBags(site: string, link: string): Promise<{ readonly out: string; readonly files: Readonly<Record<string, string>> }> {
+async function runWithBags(site: string, link: string): Promise<{ readonly out: string; readonly files: Readonly<Record<string, string>>; }> {
   const kept = mkdtempSync(join(tmpdir(), 'ros2wasm-output-'));
   try {
     const child = spawn(process.execPath, [headless, site, '--link', link, '--bags', kept], { stdio: ['pipe', 'pipe', 'inherit'] });
     let out = '';
-    child.stdout.on('data', (bytes: Buffer) => { out += bytes.toString(); });
+    child.stdout.on('data', (bytes: Buffer) => {
+      out += bytes.toString();
+    });
     await new Promise((resolve) => child.on('close', resolve));
     const found = readdirSync(kept, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
       .map((entry) => join(entry.parentPath, entry.name));

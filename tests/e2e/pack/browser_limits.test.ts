@@ -8,7 +8,8 @@ import { CLI, PackWorkspace } from '../support/pack_workspace.ts';
 
 const HELLO = '#include <cstdio>\n#include <cstdlib>\nint main() { std::printf("hello %d\\n", std::system("ls -l")); }\n';
 const UDP = '#include <sys/socket.h>\nint open_port() { return socket(AF_INET, SOCK_DGRAM, 0); }\n';
-const WARNING = /warning\[R2W0523\]: `udp` of package `course` is skipped: it needs sockets, which no browser has\n {3}= why: udp\.cpp of libport\.a refers to `socket`\n/;
+const WARNING =
+  /warning\[R2W0523\]: `udp` of package `course` is skipped: it needs sockets, which no browser has\n {3}= why: udp\.cpp of libport\.a refers to `socket`\n/;
 let ws: PackWorkspace;
 
 before(() => {
@@ -20,7 +21,8 @@ before(() => {
     // Has the name of a function of sockets, and is none.
     mine: '#include <cstdio>\nextern "C" int bind(int a, int b) { return a + b; }\nint main() { std::printf("%d\\n", bind(1, 2)); }\n',
   }, { cmake: 'add_library(port src/port/udp.cpp)\ntarget_link_libraries(udp port)\ntarget_link_libraries(hello port)\n' });
-  ws.write('workspace.yaml', 'schema: 1\nname: course\npackages: [src/*]\nlaunch:\n  - {package: course, executable: hello}\n  - {package: course, executable: mine}\n');
+  ws.write('workspace.yaml',
+    'schema: 1\nname: course\npackages: [src/*]\nlaunch:\n  - {package: course, executable: hello}\n  - {package: course, executable: mine}\n');
 });
 after(() => ws.close());
 

@@ -35,7 +35,7 @@ interface GitlabJob {
   readonly stage: string;
   readonly before_script?: readonly string[];
   readonly script: readonly string[];
-  readonly artifacts: { readonly paths: readonly string[]; readonly reports?: { readonly junit: string } };
+  readonly artifacts: { readonly paths: readonly string[]; readonly reports?: { readonly junit: string; }; };
 }
 interface GitlabPipeline {
   readonly stages: readonly string[];
@@ -73,7 +73,10 @@ function shell(command: string, environment: Readonly<Record<string, string>>): 
   return finished(spawn('bash', ['--noprofile', '--norc', '-eo', 'pipefail', '-c', command], {
     cwd: ws.root,
     env: {
-      ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache'), PATH: `${dirname(CLI)}${delimiter}${process.env['PATH'] ?? ''}`, ...environment,
+      ...process.env,
+      XDG_CACHE_HOME: join(ws.root, 'cache'),
+      PATH: `${dirname(CLI)}${delimiter}${process.env['PATH'] ?? ''}`,
+      ...environment,
     },
     stdio: ['ignore', 'pipe', 'pipe'],
   }));
@@ -91,13 +94,13 @@ async function expectPlayed(commands: readonly string[], environment: Readonly<R
   rmSync(join(ws.root, 'checks.xml'));
 }
 
-type Parse = (file: { readonly name: string; readonly content: string }, trace: unknown) => {
-  readonly context: { readonly errors: { readonly getErrors: () => readonly { readonly message: string }[] } };
+type Parse = (file: { readonly name: string; readonly content: string; }, trace: unknown) => {
+  readonly context: { readonly errors: { readonly getErrors: () => readonly { readonly message: string; }[]; }; };
 };
 interface Parser {
   readonly parseWorkflow: Parse;
   readonly parseAction: Parse;
-  readonly NoOperationTraceWriter: new () => unknown;
+  readonly NoOperationTraceWriter: new() => unknown;
 }
 
 /** GitHub's own reader of workflows, or of actions; its files are made for bundlers. */
@@ -105,10 +108,15 @@ async function githubFaults(what: 'parseWorkflow' | 'parseAction'): Promise<(con
   const outfile = join(tools, 'workflow_parser.cjs');
   await build({
     stdin: {
-      contents: "export { parseWorkflow, NoOperationTraceWriter } from '@actions/workflow-parser'; export { parseAction } from '@actions/workflow-parser/actions/action-parser';",
+      contents:
+        "export { parseWorkflow, NoOperationTraceWriter } from '@actions/workflow-parser'; export { parseAction } from '@actions/workflow-parser/actions/action-parser';",
       resolveDir: import.meta.dirname,
     },
-    bundle: true, format: 'cjs', platform: 'node', outfile, logLevel: 'error',
+    bundle: true,
+    format: 'cjs',
+    platform: 'node',
+    outfile,
+    logLevel: 'error',
   });
   const parser = await import(pathToFileURL(outfile).href) as Parser;
   return (content) => parser[what]({ name: 'ros2wasm.yml', content }, new parser.NoOperationTraceWriter()).context.errors.getErrors().map((e) => e.message);
@@ -147,9 +155,12 @@ test('the workflow for GitHub', watchdog, async () => {
 });
 
 interface Action {
-  readonly inputs: Readonly<Record<string, { readonly required?: boolean; readonly default?: string }>>;
-  readonly outputs: Readonly<Record<string, { readonly value: string }>>;
-  readonly runs: { readonly using: string; readonly steps: readonly (Step & { readonly id?: string; readonly shell?: string; readonly env: Readonly<Record<string, string>> })[] };
+  readonly inputs: Readonly<Record<string, { readonly required?: boolean; readonly default?: string; }>>;
+  readonly outputs: Readonly<Record<string, { readonly value: string; }>>;
+  readonly runs: {
+    readonly using: string;
+    readonly steps: readonly (Step & { readonly id?: string; readonly shell?: string; readonly env: Readonly<Record<string, string>>; })[];
+  };
 }
 
 // Guarantee, ci: the repository is an action for GitHub (`action.yml`), as GitHub's own reader takes it, that installs a package with its sha256 only, packs, plays
@@ -163,13 +174,16 @@ test('the action', watchdog, async () => {
   assert.equal(action.runs.using, 'composite');
   const output = join(ws.root, 'output of a step');
   const given: Readonly<Record<string, string>> = {
-    package: pathToFileURL(join(ws.root, 'workspace.yaml')).href, sha256: '0'.repeat(64), site: 'a "site"',
+    package: pathToFileURL(join(ws.root, 'workspace.yaml')).href,
+    sha256: '0'.repeat(64),
+    site: 'a "site"',
   };
-  const filled = (value: string): string => value.replace(/\$\{\{ inputs\.(\w+) \}\}/g, (_, name: string) => {
-    const input = action.inputs[name];
-    assert.ok(input, name);
-    return given[name] ?? input.default ?? '';
-  });
+  const filled = (value: string): string =>
+    value.replace(/\$\{\{ inputs\.(\w+) \}\}/g, (_, name: string) => {
+      const input = action.inputs[name];
+      assert.ok(input, name);
+      return given[name] ?? input.default ?? '';
+    });
   const play = (step: Action['runs']['steps'][number]): Promise<Finished> => {
     assert.equal(step.shell, 'bash');
     assert.doesNotMatch(step.run ?? '', /\$\{\{/, 'what somebody gives is data');
@@ -202,7 +216,8 @@ test('the pipeline for GitLab', watchdog, async () => {
   assert.equal(pack.artifacts.reports?.junit, 'checks.xml');
   assert.deepEqual(pages.artifacts.paths, ['public']);
   const other = await shell(pack.before_script?.[0] ?? '', {
-    ROS2WASM_PACKAGE: pathToFileURL(join(ws.root, 'workspace.yaml')).href, ROS2WASM_SHA256: '0'.repeat(64),
+    ROS2WASM_PACKAGE: pathToFileURL(join(ws.root, 'workspace.yaml')).href,
+    ROS2WASM_SHA256: '0'.repeat(64),
   });
   assert.notEqual(other.code, 0, 'nothing is installed with another sha256');
   assert.match(other.stdout + other.stderr, /FAILED/);
@@ -239,7 +254,9 @@ test('the budget of a site', watchdog, async () => {
   manifest(`site: {budget: ${total} B}\n`.replace(/(\d+) B/, (_, bytes: string) => `${Math.floor(Number(bytes) / 1000)}.${bytes.slice(-3)} kB`));
   const over = await ws.run(['pack', '-o', 'small']);
   assert.equal(over.code, 1, over.stderr);
-  const row = new RegExp(`= why: what grew since ros2wasm.sizes was written, in bytes \\(was, is\\):\\n +${was} +(\\d+) +\\+(\\d+) {2}package quick`).exec(over.stderr);
+  const row = new RegExp(`= why: what grew since ros2wasm.sizes was written, in bytes \\(was, is\\):\\n +${was} +(\\d+) +\\+(\\d+) {2}package quick`).exec(
+    over.stderr,
+  );
   assert.ok(row, over.stderr);
   assert.match(over.stderr, /error\[R2W0660\]: the site has [\d.]+ MB, [\d.]+ kB more than its budget\n +--> workspace\.yaml:8:/);
   assert.equal(Number(row[1]) - was, Number(row[2]));

@@ -8,16 +8,27 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 
 const require = createRequire(import.meta.url);
 
-interface Relationship { readonly spdxElementId: string; readonly relationshipType: string; readonly relatedSpdxElement: string }
+interface Relationship {
+  readonly spdxElementId: string;
+  readonly relationshipType: string;
+  readonly relatedSpdxElement: string;
+}
 interface SpdxPackage {
-  readonly SPDXID: string; readonly name: string; readonly versionInfo?: string; readonly licenseDeclared: string;
-  readonly downloadLocation: string; readonly externalRefs?: readonly { readonly referenceLocator: string }[];
+  readonly SPDXID: string;
+  readonly name: string;
+  readonly versionInfo?: string;
+  readonly licenseDeclared: string;
+  readonly downloadLocation: string;
+  readonly externalRefs?: readonly { readonly referenceLocator: string; }[];
 }
 interface Spdx {
-  readonly spdxVersion: string; readonly dataLicense: string; readonly documentNamespace: string;
-  readonly creationInfo: { readonly created: string; readonly creators: readonly string[] };
-  readonly packages: readonly SpdxPackage[]; readonly relationships: readonly Relationship[];
-  readonly hasExtractedLicensingInfos?: readonly { readonly licenseId: string; readonly extractedText: string }[];
+  readonly spdxVersion: string;
+  readonly dataLicense: string;
+  readonly documentNamespace: string;
+  readonly creationInfo: { readonly created: string; readonly creators: readonly string[]; };
+  readonly packages: readonly SpdxPackage[];
+  readonly relationships: readonly Relationship[];
+  readonly hasExtractedLicensingInfos?: readonly { readonly licenseId: string; readonly extractedText: string; }[];
 }
 
 let ws: PackWorkspace;
@@ -56,16 +67,18 @@ after(() => ws.close());
 
 // Guarantee, citable: CITATION.cff, as citation-js reads it
 test('CITATION.cff is read with its authors, date and DOI', async () => {
-  const { Cite } = require('@citation-js/core') as { Cite: new (text: string) => { data: readonly Record<string, unknown>[] } };
+  const { Cite } = require('@citation-js/core') as { Cite: new(text: string) => { data: readonly Record<string, unknown>[]; }; };
   require('@citation-js/plugin-cff');
   const cited = new Cite(read('CITATION.cff')).data[0] ?? {};
   assert.equal(cited['title'], 'Quick: "one" \\ two');
   assert.equal(cited['DOI'], '10.5281/zenodo.1234567');
   assert.equal(cited['version'], '2.1.0');
-  assert.deepEqual((cited['issued'] as { 'date-parts': unknown })['date-parts'], [[2026, 11, 23]]);
+  assert.deepEqual((cited['issued'] as { 'date-parts': unknown; })['date-parts'], [[2026, 11, 23]]);
   const authors = cited['author'] as readonly Record<string, unknown>[];
   assert.deepEqual(authors.map(({ given, family, literal }) => [given, family ?? literal]), [
-    ['Ada de', 'Example'], ['Jo', 'Doe'], [undefined, 'Collective'],
+    ['Ada de', 'Example'],
+    ['Jo', 'Doe'],
+    [undefined, 'Collective'],
   ]);
   assert.match(String(cited['abstract']), /hello\.\nThen it ends: #1\./);
 });
@@ -73,8 +86,8 @@ test('CITATION.cff is read with its authors, date and DOI', async () => {
 // Guarantee, citable: RO-Crate metadata (1.1), as ro-crate's validator wants it; it lists every file
 test('ro-crate-metadata.json is valid and lists every file of the site', () => {
   const { ROCrate, Validator } = require('ro-crate') as {
-    ROCrate: new (json: unknown, options: object) => { readonly rootDataset: Record<string, unknown> };
-    Validator: new (crate?: unknown) => { parseJSON(text: string): void; result: { errors: readonly unknown[] } };
+    ROCrate: new(json: unknown, options: object) => { readonly rootDataset: Record<string, unknown>; };
+    Validator: new(crate?: unknown) => { parseJSON(text: string): void; result: { errors: readonly unknown[]; }; };
   };
   const text = read('ro-crate-metadata.json');
   const crate = new ROCrate(JSON.parse(text), { array: false, link: true });
@@ -82,8 +95,8 @@ test('ro-crate-metadata.json is valid and lists every file of the site', () => {
   validator.parseJSON(text);
   assert.deepEqual(validator.result.errors, []);
   assert.equal(crate.rootDataset['datePublished'], '2026-11-23');
-  const site = JSON.parse(read('site.json')) as { readonly files: readonly { readonly path: string }[] };
-  const parts = new Set((crate.rootDataset['hasPart'] as readonly { readonly '@id': string }[]).map((part) => decodeURIComponent(part['@id'])));
+  const site = JSON.parse(read('site.json')) as { readonly files: readonly { readonly path: string; }[]; };
+  const parts = new Set((crate.rootDataset['hasPart'] as readonly { readonly '@id': string; }[]).map((part) => decodeURIComponent(part['@id'])));
   for (const { path } of site.files) {
     if (path !== 'ro-crate-metadata.json') assert.ok(parts.has(path), `${path} is not in the crate`);
   }

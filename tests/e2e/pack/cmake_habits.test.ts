@@ -17,7 +17,8 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 
-const HEAD = (name: string, more: string): string => `<?xml version="1.0"?>
+const HEAD = (name: string, more: string): string =>
+  `<?xml version="1.0"?>
 <package format="3">
   <name>${name}</name>
   <version>0.1.0</version>
@@ -191,7 +192,8 @@ ament_package()
 
   // --- its own Find module finds nothing
   'src/optional/package.xml': HEAD('optional', AMENT),
-  'src/optional/cmake/FindZMQ.cmake': 'find_path(ZMQ_INCLUDE_DIR zmq.h)\nfind_library(ZMQ_LIBRARY zmq)\nset(ZMQ_INCLUDE_DIRS ${ZMQ_INCLUDE_DIR})\nset(ZMQ_LIBRARIES ${ZMQ_LIBRARY})\n',
+  'src/optional/cmake/FindZMQ.cmake':
+    'find_path(ZMQ_INCLUDE_DIR zmq.h)\nfind_library(ZMQ_LIBRARY zmq)\nset(ZMQ_INCLUDE_DIRS ${ZMQ_INCLUDE_DIR})\nset(ZMQ_LIBRARIES ${ZMQ_LIBRARY})\n',
   'src/optional/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
 project(optional)
 list(APPEND CMAKE_MODULE_PATH \${CMAKE_CURRENT_SOURCE_DIR}/cmake)
@@ -222,7 +224,8 @@ execute_process(COMMAND python3 "\${CMAKE_CURRENT_SOURCE_DIR}/tools/versions.py"
 rosidl_generate_interfaces(\${PROJECT_NAME} "msg/Level.msg")
 ament_package()
 `,
-  'src/scripts/package.xml': HEAD('scripts', `${AMENT}\n  <buildtool_depend>ament_cmake_python</buildtool_depend>\n  <exec_depend>rclpy</exec_depend>\n  <exec_depend>only_messages</exec_depend>`),
+  'src/scripts/package.xml': HEAD('scripts',
+    `${AMENT}\n  <buildtool_depend>ament_cmake_python</buildtool_depend>\n  <exec_depend>rclpy</exec_depend>\n  <exec_depend>only_messages</exec_depend>`),
   'src/scripts/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
 project(scripts)
 find_package(ament_cmake REQUIRED)
@@ -241,7 +244,7 @@ def main():
 };
 
 let workspace: PackWorkspace;
-let packed: { code: number | null; stderr: string };
+let packed: { code: number | null; stderr: string; };
 let said: string;
 before(async () => {
   workspace = new PackWorkspace('shared');
@@ -260,7 +263,8 @@ ${['newer', 'a_user', 'in_c', 'early', 'optional'].map((one) => `  - {package: $
 after(() => workspace.close());
 
 test('a package that asks for a newer CMake is configured by the older one, with a warning', () => {
-  assert.match(packed.stderr, /warning\[R2W0529\]: package `newer` asks for CMake 99\.1\.2, which is newer than the one on this machine\n +--> src\/newer\/CMakeLists\.txt:1:1\n/);
+  assert.match(packed.stderr,
+    /warning\[R2W0529\]: package `newer` asks for CMake 99\.1\.2, which is newer than the one on this machine\n +--> src\/newer\/CMakeLists\.txt:1:1\n/);
   assert.match(said, /^\[newer-1\] made by 2\.1 of (?:\.\/)?inner\/newer\.cpp$/m);
 });
 
@@ -277,7 +281,8 @@ test('a package without package.xml is built for those that need it', () => {
 });
 
 test('one that is for another machine is skipped, with its own words and their line', () => {
-  assert.match(packed.stderr, /warning\[R2W0519\]: package `board_firmware` is skipped: CMakeLists\.txt of package `board_firmware` failed: set IDF_PATH first\n +--> src\/board\/CMakeLists\.txt:3/);
+  assert.match(packed.stderr,
+    /warning\[R2W0519\]: package `board_firmware` is skipped: CMakeLists\.txt of package `board_firmware` failed: set IDF_PATH first\n +--> src\/board\/CMakeLists\.txt:3/);
 });
 
 test('C headers of messages have structures and functions', () => {

@@ -10,7 +10,9 @@ let ws: PackWorkspace;
 
 before(() => {
   ws = new PackWorkspace();
-  ws.addPackage('lab', { one: MAIN, two: MAIN }, { cmake: 'target_compile_options(one PRIVATE -Wall -Wextra)\ntarget_compile_options(two PRIVATE -Wall -Wextra)\n' });
+  ws.addPackage('lab', { one: MAIN, two: MAIN }, {
+    cmake: 'target_compile_options(one PRIVATE -Wall -Wextra)\ntarget_compile_options(two PRIVATE -Wall -Wextra)\n',
+  });
   ws.write('src/lab/src/half.hpp', HEADER);
 });
 after(() => ws.close());

@@ -21,7 +21,7 @@ const hostile = '<img src=x onerror=alert(1)><script>alert(2)</script> "quoted" 
 interface Packed {
   readonly sha256: string;
   readonly bytes: number;
-  readonly labs: readonly { readonly name: string; readonly sha256: string }[];
+  readonly labs: readonly { readonly name: string; readonly sha256: string; }[];
 }
 
 let ws: PackWorkspace;
@@ -47,8 +47,12 @@ ui: {text: lab.md}
 
 function writeCourse(file: string, count: number): void {
   const up = file.includes('/') ? '../' : '';
-  const items = Array.from({ length: count }, (_, i) => `  - {workspace: ${up}labs/${nameOf(i)}, description: ${JSON.stringify(i === 0 ? hostile : `About ${i}.`)}}\n`);
-  ws.write(file, `schema: 1\nname: forty\ntitle: ${JSON.stringify(`Forty labs ${hostile}`)}\ntext: ${JSON.stringify(`First paragraph.\n\n${hostile}`)}\nlabs:\n${items.join('')}`);
+  const items = Array.from({ length: count },
+    (_, i) => `  - {workspace: ${up}labs/${nameOf(i)}, description: ${JSON.stringify(i === 0 ? hostile : `About ${i}.`)}}\n`);
+  ws.write(file,
+    `schema: 1\nname: forty\ntitle: ${JSON.stringify(`Forty labs ${hostile}`)}\ntext: ${JSON.stringify(`First paragraph.\n\n${hostile}`)}\nlabs:\n${
+      items.join('')
+    }`);
 }
 
 async function pack(file: string, folder: string, ...more: readonly string[]): Promise<Packed> {

@@ -59,7 +59,9 @@ const FOR_TIMED_WAITS = ['clock_gettime', 'real_timeout'];
 nightlyTest('a program linked without the driver is the one that the driver links', { timeout: 240_000 }, async () => {
   const run = (command: string, args: readonly string[], calls: string): void => {
     const done = spawnSync(command, args, {
-      cwd: workspace.root, encoding: 'utf8', env: { ...process.env, ROS2WASM_TOOL_CALLS: calls, ROS2WASM_QUICK_LINK: '', EMCC_DEBUG: '0' },
+      cwd: workspace.root,
+      encoding: 'utf8',
+      env: { ...process.env, ROS2WASM_TOOL_CALLS: calls, ROS2WASM_QUICK_LINK: '', EMCC_DEBUG: '0' },
     });
     assert.equal(done.status, 0, `${done.stdout}${done.stderr}`);
   };
@@ -71,7 +73,7 @@ nightlyTest('a program linked without the driver is the one that the driver link
     const [ours, theirs] = await Promise.all(['directly', 'by_driver'].map(async (folder) => {
       const bytes = workspace.read(`${folder}/${name}.wasm`);
       const module = await WebAssembly.compile(new Uint8Array(bytes));
-      const names = (all: readonly { name: string }[]): string[] => all.map((one) => one.name).sort();
+      const names = (all: readonly { name: string; }[]): string[] => all.map((one) => one.name).sort();
       // Names are kept apart from programs.
       const size = WebAssembly.Module.customSections(module, 'name').reduce((rest, section) => rest - section.byteLength, bytes.length);
       return { size, imports: names(WebAssembly.Module.imports(module)), exports: names(WebAssembly.Module.exports(module)) };

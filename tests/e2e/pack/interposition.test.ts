@@ -21,7 +21,8 @@ const char* who() {
   return WHO;
 }
 `;
-const asker = (name: string): string => `extern int asked;\nconst char* who();\nconst char* ask_${name}() { return who(); }\nint count_${name}() { return asked; }\n`;
+const asker = (name: string): string =>
+  `extern int asked;\nconst char* who();\nconst char* ask_${name}() { return who(); }\nint count_${name}() { return asked; }\n`;
 const PROGRAM = `#include <cstdio>
 #ifdef WHO
 #include "who.hpp"
@@ -37,7 +38,8 @@ int main() {
   std::printf("%d\\n", count_second());
 }
 `;
-const library = (name: string, kind: string): string => `add_library(${name} ${kind} src/${name}/ask.cpp src/${name}/who.cpp)
+const library = (name: string, kind: string): string =>
+  `add_library(${name} ${kind} src/${name}/ask.cpp src/${name}/who.cpp)
 target_compile_definitions(${name} PRIVATE "WHO=\\"${name}\\"")
 target_include_directories(${name} PRIVATE include)
 `;
@@ -58,7 +60,11 @@ ament_export_targets(export_askers)
   });
   workspace.write('src/askers/include/who.hpp', HEADER);
   writeLibrary('src/askers', 'second');
-  workspace.addPackage('programs', { own: PROGRAM, theirs: PROGRAM, threaded: `#include <thread>\n${PROGRAM.replace('int main() {', 'void work() {')}int main() { std::thread(work).join(); }\n` }, {
+  workspace.addPackage('programs', {
+    own: PROGRAM,
+    theirs: PROGRAM,
+    threaded: `#include <thread>\n${PROGRAM.replace('int main() {', 'void work() {')}int main() { std::thread(work).join(); }\n`,
+  }, {
     depends: ['askers'],
     cmake: `find_package(askers REQUIRED)
 ${library('first', 'SHARED')}include_directories(include)
@@ -113,7 +119,8 @@ test('two definitions of one unit are an error: sources of a program, static lib
         packages.write(`src/twice/src/${name}/who.cpp`, '#include "who.hpp"\n');
       }
       packages.write('src/twice/src/one/whole.cpp', `#include "who.hpp"\n${asker('one')}`);
-      packages.write('src/twice/src/main.cpp', 'const char* ask_one();\nconst char* who();\nint main() { return who() != ' + (unit === 'sources' ? 'who' : 'ask_one') + '(); }\n');
+      packages.write('src/twice/src/main.cpp',
+        'const char* ask_one();\nconst char* who();\nint main() { return who() != ' + (unit === 'sources' ? 'who' : 'ask_one') + '(); }\n');
       const packed = await packages.run(['pack']);
       assert.equal(packed.code, 1, `${unit}: ${packed.stderr}`);
       assert.match(packed.stderr, /^error\[R2W0505\]: cannot link `main` of package `twice`$/m, unit);

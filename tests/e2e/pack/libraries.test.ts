@@ -12,7 +12,9 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 const PACKAGES = resolve(import.meta.dirname, '../../packages');
 /** Each says that its checks hold, and ends well. Program -> its package. */
 const PROGRAMS = new Map([
-  ...['calibration', 'camera', 'control', 'documents', 'geometry', 'kinematics', 'monitor', 'robot', 'scan', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
+  ...['calibration', 'camera', 'control', 'documents', 'geometry', 'kinematics', 'monitor', 'robot', 'scan', 'viewer'].map((
+    one,
+  ): [string, string] => [one, 'library_checks']),
   ['loader', 'plugin_checks'],
   ...['trees', 'trees_v3'].map((one): [string, string] => [one, 'tree_checks']),
 ]);
@@ -76,10 +78,10 @@ before(() => {
 after(() => workspace.close());
 
 /** Runs the site until each check has said that it holds and has ended well: the channel's own programs go on for ever. */
-async function checksThatHold(site: string, link: string): Promise<{ missing: string[]; said: string }> {
+async function checksThatHold(site: string, link: string): Promise<{ missing: string[]; said: string; }> {
   const child = workspace.start(['run', site, '--link', link, '--for', '60s']);
   const missing = new Set(CHECKS);
-  const heard = { stdout: '', stderr: '' };  // apart, as either may stop within a line
+  const heard = { stdout: '', stderr: '' }; // apart, as either may stop within a line
   const said = (line: RegExp): boolean => line.test(heard.stdout) || line.test(heard.stderr);
   const hear = (stream: keyof typeof heard) => (bytes: Buffer): void => {
     heard[stream] += bytes.toString();
@@ -92,7 +94,9 @@ async function checksThatHold(site: string, link: string): Promise<{ missing: st
   };
   child.stdout?.on('data', hear('stdout'));
   child.stderr?.on('data', hear('stderr'));
-  await new Promise((ended) => { child.once('close', ended); });
+  await new Promise((ended) => {
+    child.once('close', ended);
+  });
   return { missing: [...missing], said: heard.stdout + heard.stderr };
 }
 

@@ -11,7 +11,8 @@ import { CLI, PackWorkspace } from '../support/pack_workspace.ts';
 
 const HELLO = '#include <cstdio>\nint main() { std::puts("hello"); }\n';
 const WEB = '#include <cstdio>\n#include "webthing/server.h"\nint main() {}\n';
-const WARNING = /warning\[R2W0522\]: `web` of package `course` is skipped: nothing gives the header `webthing\/server\.h`\n --> src\/course\/src\/web\.cpp:2:10\n/;
+const WARNING =
+  /warning\[R2W0522\]: `web` of package `course` is skipped: nothing gives the header `webthing\/server\.h`\n --> src\/course\/src\/web\.cpp:2:10\n/;
 let ws: PackWorkspace;
 
 before(() => {

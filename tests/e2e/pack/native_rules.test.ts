@@ -30,9 +30,9 @@ def main():
     print('blue is', node.declare_parameter('blue', 0).value, flush=True)
     rclpy.shutdown()
 `;
-const EXACT = [['show_a', 5], ['/robot/show_b', 6], ['show_c', 7]].map(([name, value]) =>
-  `${name}:\n  ros__parameters:\n    blue: ${value}\n`).join('');
-const PRECEDENCE = (package_: string): string => `from launch import LaunchDescription
+const EXACT = [['show_a', 5], ['/robot/show_b', 6], ['show_c', 7]].map(([name, value]) => `${name}:\n  ros__parameters:\n    blue: ${value}\n`).join('');
+const PRECEDENCE = (package_: string): string =>
+  `from launch import LaunchDescription
 from launch.substitutions import PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.substitutions import FindPackageShare
@@ -198,7 +198,8 @@ test('a parameter that is said several times', { timeout: 500_000 }, async () =>
 
 for (const [name, left] of [['rules_py', '1.0'], ['rules_cpp', '9.0']] as const) {
   test(`a static frame that the broadcaster of ${name} is given again`, { timeout: 500_000 }, async () => {
-    const all = await said(`frames_${name}`, `launch:\n  - {package: ${name}, executable: giver}\n  - {package: rules_py, executable: late}\n`, ['--until', 'right 2.0']);
+    const all = await said(`frames_${name}`, `launch:\n  - {package: ${name}, executable: giver}\n  - {package: rules_py, executable: late}\n`, ['--until',
+      'right 2.0']);
     assert.match(all, new RegExp(`left ${left}\n(?:.*\n)*.*right 2\\.0`), all);
   });
 }

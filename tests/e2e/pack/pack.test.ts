@@ -39,16 +39,20 @@ function workspace(): PackWorkspace {
   workspaces.push(made);
   return made;
 }
-after(() => { for (const one of workspaces) one.close(); });
+after(() => {
+  for (const one of workspaces) one.close();
+});
 
 function demo(): PackWorkspace {
   const ws = workspace();
-  ws.addPackage('shapes', {}, { cmake: `add_library(shapes SHARED src/shapes.cpp)
+  ws.addPackage('shapes', {}, {
+    cmake: `add_library(shapes SHARED src/shapes.cpp)
 target_include_directories(shapes PUBLIC $<BUILD_INTERFACE:\${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include/shapes>)
 install(DIRECTORY include/ DESTINATION include/shapes)
 install(TARGETS shapes EXPORT export_shapes ARCHIVE DESTINATION lib LIBRARY DESTINATION lib RUNTIME DESTINATION bin)
 ament_export_targets(export_shapes HAS_LIBRARY_TARGET)
-` });
+`,
+  });
   ws.write('src/shapes/include/shapes/area.hpp', 'namespace shapes { int area(int a, int b); }\n');
   ws.write('src/shapes/src/shapes.cpp', '#include "shapes/area.hpp"\nint shapes::area(int a, int b) { return a * b; }\n');
   ws.addPackage('demo', { single: THROWING, threaded: THREADED, unused: UNUSED_THREAD }, {
@@ -67,9 +71,12 @@ test('a folder without a manifest packs, and every program is linked as it needs
   const packed = await first.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
   assert.match(packed.stderr, /every program runs once: shapes|every program runs once: demo\/single, demo\/threaded, demo\/unused, user\/area/);
-  const site = JSON.parse(first.read('site/site.json').toString()) as { nodes: { id: string; threads: boolean }[] };
+  const site = JSON.parse(first.read('site/site.json').toString()) as { nodes: { id: string; threads: boolean; }[]; };
   assert.deepEqual(site.nodes.map((n) => [n.id, n.threads]), [
-    ['single-1', false], ['threaded-2', true], ['unused-3', false], ['area-4', false],
+    ['single-1', false],
+    ['threaded-2', true],
+    ['unused-3', false],
+    ['area-4', false],
   ]);
   assert.deepEqual(runProgram(first.read('site/programs/demo/single.wasm')), { output: THROWING_SAYS, code: 0 });
   assert.equal(runProgram(first.read('site/programs/user/area.wasm')).output, '42\n');
@@ -97,11 +104,13 @@ test('programs carry neither names nor paths of this machine', () => {
 
 test('`ros2wasm run` names the functions of a program that traps', async () => {
   const ws = workspace();
-  ws.addPackage('falls', { deep: `#include <cstdio>
+  ws.addPackage('falls', {
+    deep: `#include <cstdio>
 namespace falls { int ratio(const char *, volatile int a, volatile int b) { return a / b; } }
 static int (*volatile divide)(const char *, int, int) = falls::ratio;
 int main(int argc, char **) { return divide("x", argc, argc - argc); }
-` });
+`,
+  });
   assert.equal((await ws.run(['pack'])).code, 0);
   const ended = await ws.run(['run', 'site']);
   assert.equal(ended.code, 1);
@@ -140,7 +149,8 @@ test('another place and another cache give the same bytes', async () => {
   const second = demo();
   second.write('src/shapes/src/shapes.cpp', '#include "shapes/area.hpp"\nint shapes::area(int a, int b) { return a * b + 1; }\n');
   for (const ws of [first, second]) {
-    ws.write('workspace.yaml', 'schema: 1\nname: lab\npackages: [src/*]\nlaunch:\n  - {package: user, executable: area}\n  - {package: demo, executable: threaded}\n');
+    ws.write('workspace.yaml',
+      'schema: 1\nname: lab\npackages: [src/*]\nlaunch:\n  - {package: user, executable: area}\n  - {package: demo, executable: threaded}\n');
     const packed = await ws.run(['pack', '-o', 'lab_site']);
     assert.equal(packed.code, 0, packed.stderr);
   }
@@ -168,7 +178,10 @@ test('Ctrl-C ends the compilers, exits with 130 and leaves the old site', async 
   const before = ws.files('site');
   // A build command that tells its process id and would go on for ever.
   mkdirSync(join(ws.root, 'signs'));
-  ws.addPackage('slow', {}, { cmake: `add_custom_target(wait ALL COMMAND sh -c "echo $$ > ${ws.root}/signs/new && mv ${ws.root}/signs/new ${ws.root}/signs/pid && exec sleep 100000" VERBATIM)\n` });
+  ws.addPackage('slow', {}, {
+    cmake:
+      `add_custom_target(wait ALL COMMAND sh -c "echo $$ > ${ws.root}/signs/new && mv ${ws.root}/signs/new ${ws.root}/signs/pid && exec sleep 100000" VERBATIM)\n`,
+  });
   const seen = new Promise<void>((resolve) => {
     const watcher = watch(join(ws.root, 'signs'), { persistent: false }, () => {
       if (!existsSync(join(ws.root, 'signs/pid'))) return;
@@ -178,7 +191,9 @@ test('Ctrl-C ends the compilers, exits with 130 and leaves the old site', async 
   });
   const child = ws.start(['pack']);
   const end = finished(child);
-  await Promise.race([seen, once(child, 'exit').then(() => { throw new Error('pack ended early'); })]);
+  await Promise.race([seen, once(child, 'exit').then(() => {
+    throw new Error('pack ended early');
+  })]);
   child.kill('SIGINT');
   const result = await end;
   assert.equal(result.code, 130, result.stderr);
@@ -210,7 +225,9 @@ test('an installed program finds its data and packs', async () => {
   assert.equal(installed.code, 0, installed.stderr);
   ws.addPackage('demo', { single: THROWING }, { cmake: 'find_package(ament_cmake_ros REQUIRED)\n' });
   const packed = await finished(spawn(join(ws.root, 'usr/bin/ros2wasm'), ['pack', 'src', '-o', 'site'], {
-    cwd: ws.root, env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') }, stdio: ['ignore', 'pipe', 'pipe'],
+    cwd: ws.root,
+    env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') },
+    stdio: ['ignore', 'pipe', 'pipe'],
   }));
   assert.equal(packed.code, 0, packed.stderr);
   assert.deepEqual(runProgram(ws.read('site/programs/demo/single.wasm')), { output: THROWING_SAYS, code: 0 });

@@ -18,7 +18,8 @@ after(() => rmSync(workspace.root, { recursive: true }));
 
 test('a program that starts others is packed, with a warning for each import', { timeout: 300_000 }, async () => {
   workspace.write('workspace.yaml', 'schema: 1\nname: lab\ndistro: jazzy\npackages: [src/*]\nlaunch:\n  - {package: eyes, executable: see}\n');
-  workspace.addPythonPackage('eyes', { see: `import ctypes
+  workspace.addPythonPackage('eyes', {
+    see: `import ctypes
 import socket
 from multiprocessing import Process
 
@@ -26,11 +27,12 @@ from multiprocessing import Process
 def main():
     import subprocess
     from urllib import parse, request
-` });
+`,
+  });
   const { code, stderr } = await workspace.run(['pack', 'workspace.yaml', '--plan']);
   assert.equal(code, 0, stderr);
   const told = [...stderr.matchAll(/warning\[R2W0526\]: `(.+)` can be imported, but does not work in a site\n --> src\/eyes\/eyes\/see\.py:(\d+):\d+\n/g)];
-  assert.deepEqual(told.map(([, module, line]) => `${module} ${line}`),
-    ['ctypes 1', 'socket 2', 'multiprocessing 3', 'subprocess 7', 'urllib.request 8'], stderr);
+  assert.deepEqual(told.map(([, module, line]) => `${module} ${line}`), ['ctypes 1', 'socket 2', 'multiprocessing 3', 'subprocess 7', 'urllib.request 8'],
+    stderr);
   assert.match(stderr, /why: a browser starts no programs: `run` and `Popen` raise OSError\n.*why: a program of the workspace can be a node/);
 });

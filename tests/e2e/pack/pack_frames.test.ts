@@ -53,10 +53,17 @@ after(() => workspace.close());
 test('what Python imports comes along, also from packages of other names', () => {
   const fix = /= fix: add `(.*)` to package\.xml/.exec(packed.stderr)?.[1] ?? '';
   assert.deepEqual(fix.match(/(?<=<depend>)[^<]+/g)?.sort(), [
-    'ament_index_python', 'python3-numpy', 'python3-scipy', 'python3-transforms3d', 'sensor_msgs_py', 'std_msgs', 'tf2_ros_py', 'tf2_sensor_msgs',
+    'ament_index_python',
+    'python3-numpy',
+    'python3-scipy',
+    'python3-transforms3d',
+    'sensor_msgs_py',
+    'std_msgs',
+    'tf2_ros_py',
+    'tf2_sensor_msgs',
   ]);
   const site = JSON.parse(workspace.read('site/site.json').toString()) as {
-    readonly nodes: readonly { readonly id: string; readonly python: { readonly archives: readonly string[] } }[];
+    readonly nodes: readonly { readonly id: string; readonly python: { readonly archives: readonly string[]; }; }[];
   };
   const withNumpy = site.nodes.filter((node) => node.python.archives.includes('python/numpy.zip')).map((node) => node.id);
   assert.deepEqual(withNumpy, ['turns-4', 'rotations-5', 'scipy_rotations-6']);

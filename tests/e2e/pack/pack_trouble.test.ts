@@ -9,8 +9,8 @@ import { nightly } from '../../support/nightly.ts';
 import { CLI, type Finished, PackWorkspace, finished } from '../support/pack_workspace.ts';
 
 const watchdog = { timeout: 300_000 };
-const kPackages = nightly ? 1_000 : 200;
-const kFiles = nightly ? 10_000 : 2_000;
+const PACKAGES = nightly ? 1_000 : 200;
+const FILES = nightly ? 10_000 : 2_000;
 const hello = '#include <cstdio>\nint main() { std::puts("hello"); }\n';
 let ws: PackWorkspace;
 const others: PackWorkspace[] = [];
@@ -51,7 +51,7 @@ function twoManifests(): void {
 async function expectPacked(of: PackWorkspace, args: readonly string[], environment: Readonly<Record<string, string>> = {}): Promise<string> {
   const packed = await of.run(['--json', 'pack', ...args], environment);
   assert.equal(packed.code, 0, packed.stderr);
-  return (JSON.parse(packed.stdout) as { sha256: string }).sha256;
+  return (JSON.parse(packed.stdout) as { sha256: string; }).sha256;
 }
 
 async function expectPrinted(of: PackWorkspace, site: string, line: RegExp): Promise<void> {
@@ -67,9 +67,9 @@ async function seconds(what: () => Promise<unknown>): Promise<number> {
 }
 
 // Guarantee, robust: a workspace of 1,000 packages, in C++, Python and interfaces, that need each other
-test(`${kPackages} packages`, watchdog, async () => {
+test(`${PACKAGES} packages`, watchdog, async () => {
   const many = another();
-  const count = kPackages;
+  const count = PACKAGES;
   const name = (i: number): string => `p${String(i).padStart(4, '0')}`;
   const kinds = { python: 12, interfaces: count - 2, program: count - 1 };
   for (let i = 0; i < count; i += 1) {
@@ -77,16 +77,21 @@ test(`${kPackages} packages`, watchdog, async () => {
     if (i === kinds.program) needs.push(name(kinds.interfaces));
     const kind = i < kinds.python ? 'ament_python' : 'ament_cmake';
     many.write(`src/${name(i)}/package.xml`, `<package format="3"><name>${name(i)}</name><version>1.0.0</version><description>one of many</description>
-<maintainer email="someone@example.org">Someone</maintainer><license>MIT</license>${i === kinds.interfaces ? `
+<maintainer email="someone@example.org">Someone</maintainer><license>MIT</license>${
+      i === kinds.interfaces
+        ? `
 <buildtool_depend>rosidl_default_generators</buildtool_depend><depend>std_msgs</depend>
-<member_of_group>rosidl_interface_packages</member_of_group>` : ''}${i < kinds.python ? '<depend>rclpy</depend>' : ''}
+<member_of_group>rosidl_interface_packages</member_of_group>`
+        : ''
+    }${i < kinds.python ? '<depend>rclpy</depend>' : ''}
 ${needs.map((need) => `<depend>${need}</depend>`).join('')}<export><build_type>${kind}</build_type></export></package>
 `);
     if (i < kinds.python) {
       many.write(`src/${name(i)}/setup.py`, `from setuptools import setup\nsetup(name='${name(i)}', version='1.0.0', packages=['${name(i)}'])\n`);
       many.write(`src/${name(i)}/${name(i)}/__init__.py`, `number = ${i}\n`);
     } else if (i < kinds.interfaces) {
-      many.write(`src/${name(i)}/CMakeLists.txt`, `cmake_minimum_required(VERSION 3.8)\nproject(${name(i)} NONE)\ninstall(FILES package.xml DESTINATION share/${name(i)})\n`);
+      many.write(`src/${name(i)}/CMakeLists.txt`,
+        `cmake_minimum_required(VERSION 3.8)\nproject(${name(i)} NONE)\ninstall(FILES package.xml DESTINATION share/${name(i)})\n`);
     }
   }
   many.write(`src/${name(kinds.interfaces)}/msg/Count.msg`, 'uint32 number\n');
@@ -113,10 +118,10 @@ int main() { ${name(kinds.interfaces)}::msg::Count one; one.number = ${count}; s
 });
 
 // Guarantee, robust: 10,000 files in the share of one package, with spaces and letters of other scripts in their names
-test(`${kFiles} files`, watchdog, async () => {
+test(`${FILES} files`, watchdog, async () => {
   const many = another();
   const path = (i: number): string => `ordner ${Math.floor(i / 100)}/Datei é ${i} δ.txt`;
-  for (let i = 0; i < kFiles; i += 1) many.write(`src/data/files/${path(i)}`, `number ${i}`);
+  for (let i = 0; i < FILES; i += 1) many.write(`src/data/files/${path(i)}`, `number ${i}`);
   many.addPackage('data', {
     say: `#include <ament_index_cpp/get_package_share_directory.hpp>
 #include <fstream>
@@ -124,19 +129,20 @@ test(`${kFiles} files`, watchdog, async () => {
 #include <rclcpp/rclcpp.hpp>
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
-  std::ifstream file(ament_index_cpp::get_package_share_directory("data") + "/files/${path(kFiles - 124)}");
+  std::ifstream file(ament_index_cpp::get_package_share_directory("data") + "/files/${path(FILES - 124)}");
   std::cout << "it has: " << file.rdbuf() << std::endl;
 }
 `,
   }, {
     depends: ['ament_index_cpp', 'rclcpp'],
-    cmake: 'find_package(ament_index_cpp REQUIRED)\nfind_package(rclcpp REQUIRED)\nament_target_dependencies(say ament_index_cpp rclcpp)\ninstall(DIRECTORY files DESTINATION share/data)\n',
+    cmake:
+      'find_package(ament_index_cpp REQUIRED)\nfind_package(rclcpp REQUIRED)\nament_target_dependencies(say ament_index_cpp rclcpp)\ninstall(DIRECTORY files DESTINATION share/data)\n',
   });
   manifest(many, 'data', 'say');
   const took = await seconds(() => expectPacked(many, ['-o', 'site']));
   assert.ok(took < 120, `${took} s`); // some 10 on two cores that do nothing else
   assert.ok(many.read('site/site.json').includes(path(0)));
-  await expectPrinted(many, 'site', new RegExp(`it has: number ${kFiles - 124}`));
+  await expectPrinted(many, 'site', new RegExp(`it has: number ${FILES - 124}`));
   const verified = await many.run(['verify', 'site']);
   assert.equal(verified.code, 0, verified.stderr);
 });
@@ -166,17 +172,21 @@ test('a compiler that may have no more memory', watchdog, () =>
     ws.addPackage('large', { large: 'extern const char large[1u << 30] = {1};\nint main() { return large[4]; }\n' });
     const args = ['-c', 'ulimit -v 600000; exec "$@"', 'limited', CLI, 'pack', '-o', 'out/site'];
     const packed: Finished = await finished(spawn('bash', args, {
-      cwd: ws.root, env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') }, stdio: ['ignore', 'pipe', 'pipe'],
+      cwd: ws.root,
+      env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') },
+      stdio: ['ignore', 'pipe', 'pipe'],
     }));
     assert.equal(packed.code, 3, packed.stderr);
-    assert.match(packed.stderr, /error\[R2W0521\]: out of memory: package `large` does not compile: CMakeFiles\/large\.dir\/src\/large\.cpp\.o\n {3}= why: a tool of the compiler had not enough memory\n/);
+    assert.match(packed.stderr,
+      /error\[R2W0521\]: out of memory: package `large` does not compile: CMakeFiles\/large\.dir\/src\/large\.cpp\.o\n {3}= why: a tool of the compiler had not enough memory\n/);
     assert.doesNotMatch(packed.stderr, /Stack dump/);
   }));
 
 test('a compiler that is killed', watchdog, () =>
   expectUntouched(async () => {
     ws.addPackage('large', {
-      large: 'constexpr int spin(int n) { int s = 0; for (int i = 0; i < n; ++i) s += i & 3; return s; }\nconstexpr int kept = spin(2000000000);\nint main() { return kept; }\n',
+      large:
+        'constexpr int spin(int n) { int s = 0; for (int i = 0; i < n; ++i) s += i & 3; return s; }\nconstexpr int kept = spin(2000000000);\nint main() { return kept; }\n',
     }, { cmake: 'target_compile_options(large PRIVATE -fconstexpr-steps=2147483647)\n' });
     const child = ws.start(['--json', 'pack', '-o', 'out/site']);
     let killed = 0;
@@ -203,13 +213,15 @@ test('a clock that jumps', watchdog, async () => {
   const jumping = another();
   jumping.addPackage('quick', { hello });
   manifest(jumping, 'quick', 'hello');
-  const packed = async (time: string): Promise<{ sha256: string; built: boolean }> => {
+  const packed = async (time: string): Promise<{ sha256: string; built: boolean; }> => {
     // The program's clock and that of all that it starts; times of files as they are.
     const { code, stdout, stderr } = await finished(spawn('faketime', ['-f', `@${time}`, CLI, '--json', 'pack', '-o', 'site'], {
-      cwd: jumping.root, env: { ...process.env, NO_FAKE_STAT: '1', XDG_CACHE_HOME: join(jumping.root, 'cache') }, stdio: ['ignore', 'pipe', 'pipe'],
+      cwd: jumping.root,
+      env: { ...process.env, NO_FAKE_STAT: '1', XDG_CACHE_HOME: join(jumping.root, 'cache') },
+      stdio: ['ignore', 'pipe', 'pipe'],
     }));
     assert.equal(code, 0, stderr);
-    return { sha256: (JSON.parse(stdout) as { sha256: string }).sha256, built: /built quick/.test(stderr) };
+    return { sha256: (JSON.parse(stdout) as { sha256: string; }).sha256, built: /built quick/.test(stderr) };
   };
   const future = await packed('2037-12-30 12:00:00');
   assert.ok(future.built);

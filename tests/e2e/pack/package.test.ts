@@ -16,7 +16,10 @@ const epoch = '1750000000';
 async function made(name: string, zone: string): Promise<string> {
   const out = join(folder, name);
   const { code, stdout, stderr } = await finished(spawn('bash', [
-    '-c', 'umask 022 && exec cpack --config CPackConfig.cmake -B "$1"', 'cpack', out,
+    '-c',
+    'umask 022 && exec cpack --config CPackConfig.cmake -B "$1"',
+    'cpack',
+    out,
   ], { cwd: buildTree, env: { ...process.env, SOURCE_DATE_EPOCH: epoch, TZ: zone }, stdio: ['ignore', 'pipe', 'pipe'] }));
   assert.equal(code, 0, stdout + stderr);
   rmSync(join(out, '_CPack_Packages'), { recursive: true });
@@ -69,5 +72,6 @@ test('what the .deb says of itself', watchdog, () => {
     assert.match(line, /^[-dl]rw[x-]r-[x-]r-[x-] root\/root |^l/, line);
     assert.ok(!line.includes('/node_modules/') && !line.includes('/tests/'), line);
   }
-  assert.deepEqual(readFileSync(resolve('LICENSE')), execFileSync('bash', ['-c', 'dpkg-deb --fsys-tarfile "$1" | tar -xO ./usr/share/doc/ros2wasm/copyright', 'tar', deb]));
+  assert.deepEqual(readFileSync(resolve('LICENSE')),
+    execFileSync('bash', ['-c', 'dpkg-deb --fsys-tarfile "$1" | tar -xO ./usr/share/doc/ros2wasm/copyright', 'tar', deb]));
 });

@@ -37,7 +37,7 @@ int main() {
   });
   const packed = await ws.run(['--json', 'pack', '-o', 'site', '--max-file-size', '1']);
   assert.equal(packed.code, 0, packed.stderr);
-  sha256 = (JSON.parse(packed.stdout) as { sha256: string }).sha256;
+  sha256 = (JSON.parse(packed.stdout) as { sha256: string; }).sha256;
   browser = await chromium.launch(chromiumOptions());
 }, watchdog);
 
@@ -65,9 +65,13 @@ test('no file is larger than it may be, and all commands read the parts', watchd
   assert.match(list, /sum\.wasm\.part3/);
 });
 
-for (const [host, isolated, serviceWorkers] of [
-  ['that isolates', true, 'block'], ['without headers', false, 'allow'], ['without headers or service workers', false, 'block'],
-] as const) {
+for (
+  const [host, isolated, serviceWorkers] of [
+    ['that isolates', true, 'block'],
+    ['without headers', false, 'allow'],
+    ['without headers or service workers', false, 'block'],
+  ] as const
+) {
   test(`it runs in Chromium from a host ${host}`, watchdog, async () => {
     const served = await serveFolder(join(ws.root, 'site'), { isolated });
     const context = await browser.newContext({ serviceWorkers });
@@ -104,8 +108,8 @@ test('a part that is changed is found, and its program does not run', watchdog, 
 test('a list of parts that do not make up their file is refused before anything is read', watchdog, async () => {
   const file = join(ws.root, 'site/site.json');
   const before = readFileSync(file, 'utf8');
-  type Listed = { files: { path: string; parts?: { size: unknown; sha256: unknown }[] }[] };
-  const changes: Readonly<Record<string, (parts: { size: unknown; sha256: unknown }[]) => unknown>> = {
+  type Listed = { files: { path: string; parts?: { size: unknown; sha256: unknown; }[]; }[]; };
+  const changes: Readonly<Record<string, (parts: { size: unknown; sha256: unknown; }[]) => unknown>> = {
     none: () => [],
     'one less': (parts) => parts.slice(1),
     'one twice': (parts) => [...parts, parts[0]],

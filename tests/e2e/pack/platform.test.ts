@@ -22,7 +22,8 @@ test('formats, sizes and headers', { timeout: 500_000 }, async () => {
   for (const link of ['shared', 'port']) {
     const ran = await workspace.run(['run', 'site', '--link', link, '--for', '60s']);
     const said = `${ran.stdout}${ran.stderr}`;
-    for (const program of PROGRAMS.filter((name) => name !== 'plain')) assert.match(said, new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm'), said);
+    for (const program of PROGRAMS.filter((name) => name !== 'plain'))
+      assert.match(said, new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm'), said);
     assert.match(said, /^\[plain-\d+\] a: 41 b: 17, asked for: 38$/m, said);
     assert.equal(ran.code, 0, said);
   }

@@ -19,7 +19,7 @@ let sha256 = '';
 async function pack(...args: readonly string[]): Promise<string> {
   const packed = await ws.run(['--json', 'pack', ...args]);
   assert.equal(packed.code, 0, packed.stderr);
-  return (JSON.parse(packed.stdout) as { sha256: string }).sha256;
+  return (JSON.parse(packed.stdout) as { sha256: string; }).sha256;
 }
 
 before(async () => {
@@ -62,12 +62,15 @@ test('verify reads them', watchdog, async () => {
   const whole = await ws.run(['verify', 'site', '--hash', sha256]);
   assert.equal(whole.code, 0, whole.stderr);
   assert.doesNotMatch(whole.stderr, /R2W0653/);
-  for (const [path, bytes] of [
-    ['index.html.gz', Buffer.concat([ws.read('site/index.html.gz'), Buffer.from('x')])],
-    [`${program}.br`, brotliCompressSync(Buffer.from('another program'))],
-    [`${program}.br`, brotliCompressSync(Buffer.alloc(200_000_000))],
-    ['site.json.gz', Buffer.from('no gzip')], ['start.js.gz', Buffer.from('1f8b08000000000002030300', 'hex')],
-  ] as const) {
+  for (
+    const [path, bytes] of [
+      ['index.html.gz', Buffer.concat([ws.read('site/index.html.gz'), Buffer.from('x')])],
+      [`${program}.br`, brotliCompressSync(Buffer.from('another program'))],
+      [`${program}.br`, brotliCompressSync(Buffer.alloc(200_000_000))],
+      ['site.json.gz', Buffer.from('no gzip')],
+      ['start.js.gz', Buffer.from('1f8b08000000000002030300', 'hex')],
+    ] as const
+  ) {
     const before = ws.read(`site/${path}`);
     writeFileSync(join(ws.root, 'site', path), bytes);
     const found = await ws.run(['verify', 'site']);
@@ -89,9 +92,13 @@ function ask(url: string, headers: Readonly<Record<string, string>>): Promise<An
     request(url, { headers }, (response) => {
       const parts: Buffer[] = [];
       response.on('data', (part: Buffer) => parts.push(part));
-      response.on('end', () => done({
-        encoding: response.headers['content-encoding'], vary: response.headers.vary, status: response.statusCode, body: Buffer.concat(parts),
-      }));
+      response.on('end', () =>
+        done({
+          encoding: response.headers['content-encoding'],
+          vary: response.headers.vary,
+          status: response.statusCode,
+          body: Buffer.concat(parts),
+        }));
     }).on('error', fail).end();
   });
 }
@@ -100,10 +107,17 @@ test('serve sends what the browser accepts, and the page runs', watchdog, async 
   await using served = await ServedSite.start([join(ws.root, 'site'), '--port', '0']);
   const whole = readFileSync(join(ws.root, 'site', program));
   const url = `${served.url}${program}`;
-  for (const [accepted, encoding] of [
-    ['gzip, deflate, br', 'br'], ['gzip', 'gzip'], ['br;q=0, gzip;q=0.5', 'gzip'], ['br;q=0.0', undefined], ['identity', undefined],
-    ['', undefined], ['brotli', undefined],
-  ] as const) {
+  for (
+    const [accepted, encoding] of [
+      ['gzip, deflate, br', 'br'],
+      ['gzip', 'gzip'],
+      ['br;q=0, gzip;q=0.5', 'gzip'],
+      ['br;q=0.0', undefined],
+      ['identity', undefined],
+      ['', undefined],
+      ['brotli', undefined],
+    ] as const
+  ) {
     const answer = await ask(url, { 'accept-encoding': accepted });
     assert.equal(answer.encoding, encoding, accepted);
     assert.equal(answer.vary, 'Accept-Encoding');

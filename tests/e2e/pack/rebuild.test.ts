@@ -16,7 +16,8 @@ let ws: PackWorkspace;
 /** Where temporary files of the program go: empty again after each call. */
 let temporary = '';
 
-const packageXml = (name: string, type: string, depends: string): string => `<package format="3">
+const packageXml = (name: string, type: string, depends: string): string =>
+  `<package format="3">
   <name>${name}</name><version>0.3.0</version><description>Part of a lab</description>
   <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
   ${depends}<export><build_type>${type}</build_type></export>
@@ -41,7 +42,8 @@ site: {sources: true}
   <node pkg="words" exec="speak"/>
 </launch>
 `,
-  'lab/src/lab_nodes/package.xml': packageXml('lab_nodes', 'ament_cmake', '<buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend><depend>lab_msgs</depend>'),
+  'lab/src/lab_nodes/package.xml': packageXml('lab_nodes', 'ament_cmake',
+    '<buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend><depend>lab_msgs</depend>'),
   'lab/src/lab_nodes/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
 project(lab_nodes)
 find_package(ament_cmake REQUIRED)
@@ -76,7 +78,8 @@ setup(name='words', version='0.3.0', packages=['words'], data_files=[
   'lab/src/words/resource/words': '',
   'lab/src/words/words/__init__.py': '',
   'lab/src/words/words/speak.py': 'from lab_msgs.msg import Count\n\n\ndef main():\n    print(Count(count=2))\n',
-  'beside/package.xml': packageXml('lab_msgs', 'ament_cmake', `<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>rosidl_default_generators</buildtool_depend>
+  'beside/package.xml': packageXml('lab_msgs', 'ament_cmake',
+    `<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>rosidl_default_generators</buildtool_depend>
   <exec_depend>rosidl_default_runtime</exec_depend><member_of_group>rosidl_interface_packages</member_of_group>`),
   'beside/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
 project(lab_msgs)
@@ -131,7 +134,7 @@ test('what a site carries makes the same site: from a folder, from an archive', 
     assert.equal((await run(['pack', 'lab', '-o', 'lab.zip'])).code, 0);
     const again = await run(['--json', 'rebuild', 'lab.zip']);
     assert.equal(again.code, 0, again.stderr);
-    assert.equal((JSON.parse(again.stdout) as { same: boolean }).same, true);
+    assert.equal((JSON.parse(again.stdout) as { same: boolean; }).same, true);
     assert.deepEqual(readdirSync(temporary), []);
   } finally {
     rmSync(elsewhere, { recursive: true, force: true });
@@ -155,7 +158,7 @@ function forged(name: string, bytes: Buffer): string {
   const site = join(ws.root, name);
   cpSync(join(ws.root, 'site'), site, { recursive: true });
   writeFileSync(join(site, archive), bytes);
-  const json = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { files: { path: string; size: number; sha256: string }[] };
+  const json = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { files: { path: string; size: number; sha256: string; }[]; };
   const listed = json.files.find(({ path }) => path === archive);
   assert.ok(listed);
   Object.assign(listed, { size: bytes.length, sha256: sha256Of(bytes) });
@@ -174,7 +177,7 @@ nightlyTest('sources that make another site are told, with the file that differs
   const changed = await run(['rebuild', 'site', '--workspace', 'other/lab']);
   assert.equal(changed.code, 1);
   const listed = await run(['--json', 'rebuild', 'site', '--workspace', 'other/lab']);
-  const { same, differences } = JSON.parse(listed.stdout) as { same: boolean; differences: { path: string; change: string }[] };
+  const { same, differences } = JSON.parse(listed.stdout) as { same: boolean; differences: { path: string; change: string; }[]; };
   assert.equal(same, false);
   assert.ok(differences.some(({ path, change }) => path === 'programs/lab_nodes/count.wasm' && change === 'changed'));
   assert.match(changed.stderr, /error\[R2W0663\]: the sources make another site: sha256 [0-9a-f]{64}/);
@@ -201,7 +204,10 @@ test('a site whose bytes are not those that it lists is not rebuilt', watchdog, 
 test('a hostile archive of sources writes nothing', watchdog, async () => {
   const make = (script: string): Buffer => {
     const file = join(temporary, 'made.zip');
-    const made = spawnSync('python3', ['-c', `import sys, zipfile\nz = zipfile.ZipFile(sys.argv[1], "w")\nz.writestr("workspace.yaml", "schema: 1\\nname: evil\\n")\n${script}\nz.close()\n`, file], { encoding: 'utf8' });
+    const made = spawnSync('python3', ['-c',
+      `import sys, zipfile\nz = zipfile.ZipFile(sys.argv[1], "w")\nz.writestr("workspace.yaml", "schema: 1\\nname: evil\\n")\n${script}\nz.close()\n`, file], {
+      encoding: 'utf8',
+    });
     assert.equal(made.status, 0, made.stderr);
     const bytes = readFileSync(file);
     rmSync(file);
@@ -235,7 +241,8 @@ test('a site without sources, and sources that no archive holds, are told', watc
   const given = await run(['rebuild', 'plain/site', '--workspace', 'plain']);
   assert.equal(given.code, 0, given.stderr);
 
-  ws.write('plain/workspace.yaml', 'schema: 1\nname: plain\npackages: [../lab/src/words, ../beside]\nlaunch: [{package: words, executable: speak}]\nsite: {sources: true}\n');
+  ws.write('plain/workspace.yaml',
+    'schema: 1\nname: plain\npackages: [../lab/src/words, ../beside]\nlaunch: [{package: words, executable: speak}]\nsite: {sources: true}\n');
   const extra = join(ws.root, 'lab/src/words/');
   symlinkSync('/usr/share', join(extra, 'elsewhere'));
   writeFileSync(join(extra, 'notes.txt'), '');
@@ -243,7 +250,8 @@ test('a site without sources, and sources that no archive holds, are told', watc
   try {
     const linked = await run(['pack', 'plain', '-o', 'plain/none']);
     assert.equal(linked.code, 1);
-    assert.match(linked.stderr, /error\[R2W0661\]: the site cannot carry `\.\.\/lab\/src\/words\/elsewhere`, of which it is made\n.*it is a link to the folder `\/usr\/share`/);
+    assert.match(linked.stderr,
+      /error\[R2W0661\]: the site cannot carry `\.\.\/lab\/src\/words\/elsewhere`, of which it is made\n.*it is a link to the folder `\/usr\/share`/);
     rmSync(join(extra, 'elsewhere'));
     const alike = await run(['pack', 'plain', '-o', 'plain/none']);
     assert.match(alike.stderr, /error\[R2W0661\]: .*notes\.txt`/);

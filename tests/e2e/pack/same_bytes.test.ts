@@ -34,7 +34,8 @@ install(DIRECTORY config DESTINATION share/\${PROJECT_NAME})
 ament_package()
 `,
   'src/tools/src/a.cpp': 'const char* a() { return __FILE__; }\n',
-  'src/tools/src/b.cpp': '#include <map>\n#include <string>\nstd::map<std::string, int> counts;\nconst char* a();\nconst char* b() { return ++counts[a()] > 1 ? a() : "b"; }\n',
+  'src/tools/src/b.cpp':
+    '#include <map>\n#include <string>\nstd::map<std::string, int> counts;\nconst char* a();\nconst char* b() { return ++counts[a()] > 1 ? a() : "b"; }\n',
   'src/tools/src/say.cpp': '#include <cassert>\n#include <cstdio>\nconst char* b();\nint main(int n, char**) { assert(n > 0); std::puts(b()); }\n',
   'src/tools/src/both.cpp': '#include <cstdio>\n#include <thread>\nint main() { std::thread([] { std::puts(__FILE__); }).join(); }\n',
   'src/tools/config/z.yaml': 'last: 1\n',
@@ -73,7 +74,7 @@ before(async () => {
   for (const [path, text] of Object.entries(files)) original.write(path, text);
   const packed = await original.run(['--json', 'pack']);
   assert.equal(packed.code, 0, packed.stderr);
-  sha256 = (JSON.parse(packed.stdout) as { sha256: string }).sha256;
+  sha256 = (JSON.parse(packed.stdout) as { sha256: string; }).sha256;
 });
 
 after(() => {
@@ -114,7 +115,9 @@ const packs = { cold: 0, warm: 0 };
 function pack({ root, through = [], args = [], environment = {}, cache = join(root, '../cache') }: Omit<Surroundings, 'changes'>): Promise<Finished> {
   const [name = '', ...rest] = [...through, CLI, 'pack', '-o', '../site', ...args];
   return finished(spawn(name, rest, {
-    cwd: root, env: { ...process.env, XDG_CACHE_HOME: cache, ...environment }, stdio: ['ignore', 'pipe', 'pipe'],
+    cwd: root,
+    env: { ...process.env, XDG_CACHE_HOME: cache, ...environment },
+    stdio: ['ignore', 'pipe', 'pipe'],
   }));
 }
 
@@ -148,7 +151,7 @@ test('another folder, with a space and letters of other scripts in its name, col
 });
 
 // Guarantee, same bytes: with another umask, language, time zone, home, user and host name, and on one processor
-test('another umask, language, time zone, home, user\'s name and host, and one processor', () => {
+test("another umask, language, time zone, home, user's name and host, and one processor", () => {
   const root = copy();
   const home = join(root, '../home');
   mkdirSync(home);
@@ -158,7 +161,14 @@ test('another umask, language, time zone, home, user\'s name and host, and one p
     through: ['sh', '-c', 'umask 077; exec taskset -c 0 "$@"', 'masked'],
     args: ['-j', '1'],
     environment: {
-      LANG: 'tr_TR.UTF-8', LC_ALL: 'C', LANGUAGE: 'tr', TZ: 'Pacific/Kiritimati', HOME: home, USER: 'somebody', LOGNAME: 'somebody', HOSTNAME: 'elsewhere',
+      LANG: 'tr_TR.UTF-8',
+      LC_ALL: 'C',
+      LANGUAGE: 'tr',
+      TZ: 'Pacific/Kiritimati',
+      HOME: home,
+      USER: 'somebody',
+      LOGNAME: 'somebody',
+      HOSTNAME: 'elsewhere',
     },
   });
 });
@@ -170,8 +180,18 @@ test('variables that compilers, Python and CMake heed, and more compilers than p
     changes: ['environment', 'compilers at once'],
     args: ['-j', '7'],
     environment: {
-      CFLAGS: '-O0 -DNDEBUG', CXXFLAGS: '-O0 -g -DNDEBUG', LDFLAGS: '-Wl,--strip-all', CPATH: '/nowhere', MAKEFLAGS: '-k', EMCC_CFLAGS: '-DOTHER',
-      PYTHONPATH: '/nowhere', PYTHONHASHSEED: '7', SOURCE_DATE_EPOCH: '1', CMAKE_BUILD_TYPE: 'Debug', CMAKE_GENERATOR: 'Unix Makefiles', AMENT_PREFIX_PATH: '/nowhere',
+      CFLAGS: '-O0 -DNDEBUG',
+      CXXFLAGS: '-O0 -g -DNDEBUG',
+      LDFLAGS: '-Wl,--strip-all',
+      CPATH: '/nowhere',
+      MAKEFLAGS: '-k',
+      EMCC_CFLAGS: '-DOTHER',
+      PYTHONPATH: '/nowhere',
+      PYTHONHASHSEED: '7',
+      SOURCE_DATE_EPOCH: '1',
+      CMAKE_BUILD_TYPE: 'Debug',
+      CMAKE_GENERATOR: 'Unix Makefiles',
+      AMENT_PREFIX_PATH: '/nowhere',
     },
   }));
 
@@ -186,8 +206,10 @@ test('files written in another order, with times long ago and to come', () => {
   }
   // The clock stands elsewhere, too, for the program and all that it starts.
   return same({
-    root, changes: ['clock', 'file system order', 'times of files'],
-    through: ['faketime', '-f', '@2031-02-03 04:05:06'], environment: { NO_FAKE_STAT: '1' },
+    root,
+    changes: ['clock', 'file system order', 'times of files'],
+    through: ['faketime', '-f', '@2031-02-03 04:05:06'],
+    environment: { NO_FAKE_STAT: '1' },
   });
 });
 

@@ -29,7 +29,7 @@ before(async () => {
   minisign(['-G', '-p', 'locked.pub', '-s', 'locked.key'], `${password}\n${password}\n`);
   const bare = await ws.run(['--json', 'pack', '-o', 'bare']);
   assert.equal(bare.code, 0, bare.stderr);
-  sha256 = (JSON.parse(bare.stdout) as { sha256: string }).sha256;
+  sha256 = (JSON.parse(bare.stdout) as { sha256: string; }).sha256;
   const packed = await ws.run(['pack', '-o', 'packed', '--sign', 'plain.key']);
   assert.equal(packed.code, 0, packed.stderr);
 });
@@ -62,7 +62,7 @@ test('what minisign signed is verified, by the line of the key too', async () =>
   minisign(['-S', '-m', 'site/site.json', '-s', 'locked.key', '-t', 'lab 3, version 2'], `${password}\n`);
   const whole = await ws.run(['--json', 'verify', 'site', '--key', keyOf('locked.pub')]);
   assert.equal(whole.code, 0, whole.stderr);
-  const { signed } = JSON.parse(whole.stdout) as { signed: { key: string; comment: string } };
+  const { signed } = JSON.parse(whole.stdout) as { signed: { key: string; comment: string; }; };
   assert.equal(signed.comment, 'lab 3, version 2');
   assert.ok(readFileSync(join(ws.root, 'locked.pub'), 'utf8').includes(signed.key), signed.key);
 });
@@ -83,7 +83,10 @@ test('a key with a password: from the environment, a file descriptor and a termi
   const descriptor = openSync(join(ws.root, 'password.txt'), 'r');
   const environment = { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') };
   const read = spawnSync(CLI, [...named, '--password-fd', '3'], {
-    cwd: ws.root, env: environment, stdio: ['ignore', 'pipe', 'pipe', descriptor], encoding: 'utf8',
+    cwd: ws.root,
+    env: environment,
+    stdio: ['ignore', 'pipe', 'pipe', descriptor],
+    encoding: 'utf8',
   });
   closeSync(descriptor);
   assert.equal(read.status, 0, read.stderr);
@@ -138,7 +141,12 @@ while True:
 status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 sys.stdout.buffer.write(seen)
 sys.exit(status)
-`, CLI, 'pack', '-o', 'no', '--sign', 'locked.key'], { cwd: ws.root, env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') }, encoding: 'utf8', timeout: 60_000 });
+`, CLI, 'pack', '-o', 'no', '--sign', 'locked.key'], {
+    cwd: ws.root,
+    env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') },
+    encoding: 'utf8',
+    timeout: 60_000,
+  });
   assert.equal(asked.status, 130, asked.stdout);
   assert.match(asked.stdout, /interrupted/);
   assert.doesNotMatch(asked.stdout, /no terminal/);
@@ -229,7 +237,9 @@ test('the page says which key signed, and that this is to be checked elsewhere',
       await page.getByRole('button', { name: 'Who signed it?' }).click();
     };
     await ask('shown.html');
-    await page.getByText(`A signature by the key ${keyId} is beside this site, with the comment \u201cLab 3 <b>bold</b>\u201d. This page cannot vouch for itself`).waitFor();
+    await page.getByText(
+      `A signature by the key ${keyId} is beside this site, with the comment \u201cLab 3 <b>bold</b>\u201d. This page cannot vouch for itself`,
+    ).waitFor();
     const bare = await ws.run(['pack', '-o', 'unsigned.html']);
     assert.equal(bare.code, 0, bare.stderr);
     await ask('unsigned.html');

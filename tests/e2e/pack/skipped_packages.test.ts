@@ -47,14 +47,18 @@ test('--frozen leaves out the same, and a dependency that came later is an error
 
 test('a node of what is skipped is an error at its line', async () => {
   ws.addPackage('good', HELLO);
-  ws.write('workspace.yaml', 'schema: 1\nname: course\npackages: [src/*]\nlaunch:\n  - {package: good, executable: hello}\n  - {package: mapper, executable: hello}\n');
+  ws.write('workspace.yaml',
+    'schema: 1\nname: course\npackages: [src/*]\nlaunch:\n  - {package: good, executable: hello}\n  - {package: mapper, executable: hello}\n');
   const refused = await ws.run(['pack', '-o', 'site']);
   assert.equal(refused.code, 1);
-  assert.match(refused.stderr, /error\[R2W0401\]: package `mapper` is skipped: it asks CMake for `slam_of_nobody`, which is not there \(src\/mapper\/CMakeLists\.txt:5\)\n --> workspace\.yaml:6:15\n/);
+  assert.match(refused.stderr,
+    /error\[R2W0401\]: package `mapper` is skipped: it asks CMake for `slam_of_nobody`, which is not there \(src\/mapper\/CMakeLists\.txt:5\)\n --> workspace\.yaml:6:15\n/);
 });
 
 /** A workspace of its own, with one package that names two things that nobody has. */
-async function packedWith(programs: Readonly<Record<string, string>>, cmake: string, more: readonly string[] = []): Promise<{ code: number | null; stderr: string; said: string }> {
+async function packedWith(programs: Readonly<Record<string, string>>, cmake: string,
+  more: readonly string[] = []): Promise<{ code: number | null; stderr: string; said: string; }>
+{
   const lacking = new PackWorkspace();
   try {
     lacking.addPackage('typo', programs, { depends: ['std_mgs', 'liblidar0-dev'], cmake });
@@ -88,7 +92,8 @@ test('all names are told when CMake asks for one after all', async () => {
   assert.match(alone.stderr, /error\[R2W0507\]: package `typo` asks CMake for `lidar`, which is not there\n/);
   const beside = await packedWith(HELLO, parts, ['good']);
   assert.equal(beside.code, 0, beside.stderr);
-  assert.match(beside.stderr, /warning\[R2W0519\]: package `typo` is skipped: no channel has `std_mgs`, `liblidar0-dev`, which it needs\n --> src\/typo\/package\.xml:9:11\n/);
+  assert.match(beside.stderr,
+    /warning\[R2W0519\]: package `typo` is skipped: no channel has `std_mgs`, `liblidar0-dev`, which it needs\n --> src\/typo\/package\.xml:9:11\n/);
   assert.match(beside.stderr, /= why: package `typo` asks CMake for `lidar`, which is not there\n/);
   assert.match(beside.said, /^\[hello-1\] hello$/m);
 });

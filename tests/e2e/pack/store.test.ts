@@ -21,7 +21,8 @@ let browser: Browser;
 /** By name of the site. */
 const hashes = new Map<string, string>();
 
-const manifest = (name: string, title: string): string => `schema: 1
+const manifest = (name: string, title: string): string =>
+  `schema: 1
 name: ${name}
 title: ${title}
 distro: jazzy
@@ -34,13 +35,14 @@ launch:
 async function pack(name: string): Promise<string> {
   const packed = await ws.run(['--json', 'pack', `${name}.yaml`, '-o', `course/${name}`, ...store]);
   assert.equal(packed.code, 0, packed.stderr);
-  return (JSON.parse(packed.stdout) as { sha256: string }).sha256;
+  return (JSON.parse(packed.stdout) as { sha256: string; }).sha256;
 }
 
 before(async () => {
   ws = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../../packages/chatter_py'), join(ws.root, 'src/chatter_py'), { recursive: true });
-  appendFileSync(join(ws.root, 'src/chatter_py/chatter_py/__init__.py'), '\nimport ros2wasm.start\nprint(f"from an image: {ros2wasm.start.from_image}", flush=True)\n');
+  appendFileSync(join(ws.root, 'src/chatter_py/chatter_py/__init__.py'),
+    '\nimport ros2wasm.start\nprint(f"from an image: {ros2wasm.start.from_image}", flush=True)\n');
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello from the store"); }\n' });
   for (const name of ['one', 'two']) {
     ws.write(`${name}.yaml`, manifest(name, `The lab ${name}`));
@@ -58,7 +60,8 @@ after(async () => {
 test('a site of a store has what is its own; the rest lies in the store, under its sha256', async () => {
   const files = ws.files('course');
   const beside = [...files.keys()].filter((path) => !path.startsWith('objects/'));
-  assert.deepEqual(beside, ['one', 'two'].flatMap((name) => ['app.webmanifest', 'icon.svg', 'index.html', 'service_worker.js', 'site.json'].map((file) => `${name}/${file}`)));
+  assert.deepEqual(beside,
+    ['one', 'two'].flatMap((name) => ['app.webmanifest', 'icon.svg', 'index.html', 'service_worker.js', 'site.json'].map((file) => `${name}/${file}`)));
   const scripts: string[] = [];
   for (const [path, bytes] of files) {
     const [, name] = /^objects\/([0-9a-f]{64})(?:\.[a-z0-9]+)?$/.exec(path) ?? [];
@@ -103,9 +106,13 @@ async function runs(page: Page): Promise<void> {
   await shows(page, 'hello from the store');
 }
 
-for (const [host, isolated, serviceWorkers] of [
-  ['that isolates', true, 'block'], ['without headers', false, 'allow'], ['without headers or service workers', false, 'block'],
-] as const) {
+for (
+  const [host, isolated, serviceWorkers] of [
+    ['that isolates', true, 'block'],
+    ['without headers', false, 'allow'],
+    ['without headers or service workers', false, 'block'],
+  ] as const
+) {
   test(`it runs in Chromium below a path of a host ${host}`, watchdog, async () => {
     const served = await serveFolder(join(ws.root, 'course'), { isolated });
     const context = await browser.newContext({ serviceWorkers });
@@ -152,7 +159,7 @@ test('it is kept for visits without a network, with what it needs of the store',
 // Guarantee, verified: an object of a store that is not what its name says is found by `verify` and refused by page and `run`
 test('a changed object is refused', watchdog, async () => {
   cpSync(join(ws.root, 'course'), join(ws.root, 'changed'), { recursive: true });
-  const { files } = JSON.parse(ws.read('changed/one/site.json').toString()) as { files: { path: string; sha256: string }[] };
+  const { files } = JSON.parse(ws.read('changed/one/site.json').toString()) as { files: { path: string; sha256: string; }[]; };
   const program = files.find(({ path }) => path.endsWith('hello.wasm'))?.sha256 ?? '';
   appendFileSync(join(ws.root, `changed/objects/${program}.wasm`), '\0');
   const verified = await ws.run(['verify', 'changed/one']);
@@ -236,7 +243,10 @@ test('documents that a lab brings along lie with its site, not in the store', wa
 });
 
 test('a store that cannot be shared is refused, and nothing is written', async () => {
-  for (const [output, place] of [['lab', 'lab/objects'], ['course/objects/lab', 'course/objects'], ['lab.zip', 'objects'], ['lab', 'with space'], ['lab', 'one.yaml']] as const) {
+  for (
+    const [output, place] of [['lab', 'lab/objects'], ['course/objects/lab', 'course/objects'], ['lab.zip', 'objects'], ['lab', 'with space'], ['lab',
+      'one.yaml']] as const
+  ) {
     const packed = await ws.run(['pack', 'one.yaml', '-o', output, '--store', place]);
     assert.match(packed.stderr, /^error\[R2W0614\]: the site `\S+` cannot share the store/, `${output} ${place}: ${packed.stderr}`);
     assert.ok(!existsSync(join(ws.root, output)));

@@ -7,7 +7,8 @@ const watchdog = { timeout: 240_000 };
 
 let ws: PackWorkspace;
 
-const manifest = (title: string): string => `schema: 1
+const manifest = (title: string): string =>
+  `schema: 1
 name: two
 title: ${title}
 distro: jazzy

@@ -18,7 +18,7 @@ before(async () => {
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello"); }\n' });
   const packed = await ws.run(['--json', 'pack', '-o', 'packed']);
   assert.equal(packed.code, 0, packed.stderr);
-  sha256 = (JSON.parse(packed.stdout) as { sha256: string }).sha256;
+  sha256 = (JSON.parse(packed.stdout) as { sha256: string; }).sha256;
 });
 
 beforeEach(() => {
@@ -99,7 +99,7 @@ test('a link to the same bytes is not the file', async () => {
 });
 
 /** The folder over HTTP, on loopback; `change` may answer in its place. */
-async function served<T>(change: (path: string) => { status: number; body: Buffer } | undefined, use: (url: string) => Promise<T>): Promise<T> {
+async function served<T>(change: (path: string) => { status: number; body: Buffer; } | undefined, use: (url: string) => Promise<T>): Promise<T> {
   const server: Server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname).slice(1);
     try {

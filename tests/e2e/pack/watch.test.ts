@@ -41,7 +41,7 @@ function program(word: string): string {
 }
 
 /** A workspace with one program, which needs no package of ROS: quick to build. */
-function makeWorkspace(scratch: Scratch): { manifest: string; source: string; site: string } {
+function makeWorkspace(scratch: Scratch): { manifest: string; source: string; site: string; } {
   scratch.file('ws/src/mini/package.xml', PACKAGE_XML);
   scratch.file('ws/src/mini/CMakeLists.txt', CMAKE_LISTS);
   scratch.file('ws/src/mini/src/hello.cpp', program('one'));

@@ -19,8 +19,8 @@ import { expectAccessible } from '../support/page_stage.ts';
 import { Scratch } from '../support/served_site.ts';
 import { type StaticServer, serveFolder } from '../../support/static_server.ts';
 
-const kRoot = fileURLToPath(new URL('../../..', import.meta.url));
-const kWatchdogMs = 120_000;
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
+const WATCHDOG_MS = 120_000;
 
 const scratch = new Scratch();
 let site: string;
@@ -46,7 +46,7 @@ async function onSite(
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
   const page = await context.newPage();
   const troubles: string[] = [];
-  page.setDefaultTimeout(kWatchdogMs);
+  page.setDefaultTimeout(WATCHDOG_MS);
   page.on('console', (message) => {
     if (message.type() === 'error') troubles.push(message.text());
   });
@@ -111,9 +111,7 @@ test('the first view is small: page, scripts and styles under 127 kB, without wh
     await page.getByText('2 of 2 running').waitFor();
     // The panel of checks comes last; without it the sum would depend on the moment.
     await page.getByText(/of \d+ checks? (passed|seen)|checks? passed/).first().waitFor();
-    const loaded = await page.evaluate(() =>
-      performance.getEntriesByType('resource').map((entry) => new URL(entry.name).pathname.split('/').at(-1) ?? ''),
-    );
+    const loaded = await page.evaluate(() => performance.getEntriesByType('resource').map((entry) => new URL(entry.name).pathname.split('/').at(-1) ?? ''));
     const view = ['index.html', ...new Set(loaded)].filter(
       (name) => /\.(html|js|css|svg)$/.test(name) && !name.endsWith('_worker.js'),
     );
@@ -168,7 +166,7 @@ test('the log shows /rosout of the nodes, with the place in their sources', () =
     await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('WARN');
     await page.getByText(/None of \d+ lines match the filter/).waitFor();
     await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('');
-    await page.screenshot({ path: join(kRoot, 'tests/output/log_site.png') });
+    await page.screenshot({ path: join(ROOT, 'tests/output/log_site.png') });
     // Opened later, when /rosout holds only the newest seconds, it has all from the beginning, each line once.
     await page.goto(`${served.url}?later#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { tabs: ['console', 'log'] }] }))}`);
     await page.getByText(/Publishing: 'Hello, world! 24'/).first().waitFor();
@@ -237,10 +235,10 @@ test('the picture of the page', () =>
       .getByText(/world! 9'/)
       .waitFor();
     await page.locator('.tree').waitFor();
-    mkdirSync(join(kRoot, 'tests/output'), { recursive: true });
-    await page.screenshot({ path: join(kRoot, 'tests/output/page.png') });
+    mkdirSync(join(ROOT, 'tests/output'), { recursive: true });
+    await page.screenshot({ path: join(ROOT, 'tests/output/page.png') });
     if (process.env['ROS2WASM_BLESS'] === '1') {
-      mkdirSync(join(kRoot, 'docs/images'), { recursive: true });
-      await page.screenshot({ path: join(kRoot, 'docs/images/page.png') });
+      mkdirSync(join(ROOT, 'docs/images'), { recursive: true });
+      await page.screenshot({ path: join(ROOT, 'docs/images/page.png') });
     }
   }));

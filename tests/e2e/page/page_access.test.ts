@@ -59,36 +59,38 @@ test('the keyboard reaches and works everything', () =>
       const ring = await page.evaluate(() => {
         const element = document.activeElement?.closest('.search') ?? document.activeElement;
         return (
-          element === null ||
-          element === document.body ||
-          getComputedStyle(element).outlineStyle !== 'none'
+          element === null
+          || element === document.body
+          || getComputedStyle(element).outlineStyle !== 'none'
         );
       });
       assert.ok(ring, `no focus ring on ${name}`);
       met.add(name);
     }
-    for (const wanted of [
-      'Start all',
-      'Stop all',
-      'Theme: as the system. Switch to light',
-      'About this page',
-      '/talker',
-      'Stop /talker',
-      'Restart /listener',
-      'Border between Nodes and Consoles',
-      'Each node',
-      'Merged',
-      'Lowest level shown',
-      'Filter lines',
-      'Type into /talker',
-      'Clear the console of /talker',
-      'Console of /talker',
-      'Border between Consoles and Topics',
-      'Open a panel here',
-      'Move or close Topics',
-      'Layout of the page',
-      'Show hidden topics',
-    ]) {
+    for (
+      const wanted of [
+        'Start all',
+        'Stop all',
+        'Theme: as the system. Switch to light',
+        'About this page',
+        '/talker',
+        'Stop /talker',
+        'Restart /listener',
+        'Border between Nodes and Consoles',
+        'Each node',
+        'Merged',
+        'Lowest level shown',
+        'Filter lines',
+        'Type into /talker',
+        'Clear the console of /talker',
+        'Console of /talker',
+        'Border between Consoles and Topics',
+        'Open a panel here',
+        'Move or close Topics',
+        'Layout of the page',
+        'Show hidden topics',
+      ]
+    ) {
       assert.ok(met.has(wanted), `${wanted} is not reached; met: ${[...met].join(' | ')}`);
     }
     await page.getByRole('button', { name: 'Stop /talker' }).focus();
@@ -113,12 +115,14 @@ test('tabs of the phone layout follow the arrow keys, and a chosen node opens it
   }));
 
 test('nothing is cut off at 320 and 360 px, nor at 200 % zoom', async () => {
-  for (const [width, height] of [
-    [320, 568],
-    [360, 740],
-    [640, 400],
-    [720, 450],
-  ] as const) {
+  for (
+    const [width, height] of [
+      [320, 568],
+      [360, 740],
+      [640, 400],
+      [720, 450],
+    ] as const
+  ) {
     for (const scene of ['crowd', 'hostile']) {
       await stage.on(scene, { viewport: { width, height } }, async (page) => {
         for (const tab of await page.getByRole('tab').all()) {
@@ -162,7 +166,7 @@ test('targets of touch are at least 24 px', () =>
             box: element.getBoundingClientRect(),
           }))
           .filter(({ box }) => box.width > 0 && (box.width < 24 || box.height < 24))
-          .map(({ name }) => name),
+          .map(({ name }) => name)
       );
       assert.deepEqual(small, []);
     }
@@ -170,7 +174,7 @@ test('targets of touch are at least 24 px', () =>
 
 test('reduced motion stops every animation and transition, without it some run', async () => {
   /** Animations that go on, and the elements that slid into their place while a topic was opened. */
-  const moving = async (page: Page): Promise<{ turning: number; slid: string[] }> => {
+  const moving = async (page: Page): Promise<{ turning: number; slid: string[]; }> => {
     await page.evaluate(() => {
       const slid: string[] = [];
       document.addEventListener('transitionrun', ({ target }) => {
@@ -184,8 +188,9 @@ test('reduced motion stops every animation and transition, without it some run',
       // A transition begins with the first picture after the change.
       for (let picture = 0; picture < 3; picture += 1) await new Promise((done) => requestAnimationFrame(done));
       const turning = document.getAnimations().filter(({ playState, effect }) =>
-        playState === 'running' && effect?.getComputedTiming().iterations === Infinity);
-      return { turning: turning.length, slid: (globalThis as unknown as { slid: string[] }).slid };
+        playState === 'running' && effect?.getComputedTiming().iterations === Infinity
+      );
+      return { turning: turning.length, slid: (globalThis as unknown as { slid: string[]; }).slid };
     });
   };
   await stage.on('crowd', { reducedMotion: 'no-preference' }, async (page) => {
@@ -204,8 +209,7 @@ test('the theme is chosen, kept, and set before anything is drawn', () =>
     'quiet',
     { colorScheme: 'light' },
     async (page) => {
-      const ground = (): Promise<string> =>
-        page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+      const ground = (): Promise<string> => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
       const light = await ground();
       await page.getByRole('button', { name: /^Theme: as the system/ }).click();
       await page.getByRole('button', { name: /^Theme: light/ }).click();

@@ -30,8 +30,8 @@ before(async () => {
 after(() => stage.close());
 
 const scene = (panel: unknown): string => `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['topics', panel], sizes: [1, 2], shown: 'bag' }))}`;
-const kScene = scene('bag');
-const kSine = { value: 0.5, other: 1, list: [1, 2], mode: 'idle', big: 7 };
+const SCENE = scene('bag');
+const SINE = { value: 0.5, other: 1, list: [1, 2], mode: 'idle', big: 7 };
 
 /** Records as many messages on /sine, and gives the file that the page offers. */
 async function record(page: Page, count: number): Promise<Buffer> {
@@ -40,11 +40,11 @@ async function record(page: Page, count: number): Promise<Buffer> {
   await page.evaluate((message) => {
     send('/sine', 'demo/msg/Sine', message);
     fake.graphChanged();
-  }, kSine);
+  }, SINE);
   await page.waitForFunction(() => heard('/sine') > 0);
   await page.evaluate(([message, times]) => {
     for (let i = 0; i < times; i += 1) send('/sine', 'demo/msg/Sine', { ...message, value: i });
-  }, [kSine, count] as const);
+  }, [SINE, count] as const);
   await page.waitForFunction((most) => document.querySelector('.bag-recording')?.textContent?.includes(`, ${most} messages of `) === true, count);
   await page.getByRole('button', { name: 'Stop recording' }).click();
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: /^Download rosbag2_/ }).click()]);
@@ -54,16 +54,18 @@ async function record(page: Page, count: number): Promise<Buffer> {
 
 // Compatibility, works: recording of topics to MCAP in the page, and playing of bags that are dropped on it
 test('what is recorded is downloaded, read by others, dropped on the page and heard again', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     const bytes = await record(page, 20);
-    const reader = await McapIndexedReader.Initialize({ readable: {
-      size: () => Promise.resolve(BigInt(bytes.length)),
-      read: (offset, size) => Promise.resolve(new Uint8Array(bytes.subarray(Number(offset), Number(offset + size)))),
-    } });
+    const reader = await McapIndexedReader.Initialize({
+      readable: {
+        size: () => Promise.resolve(BigInt(bytes.length)),
+        read: (offset, size) => Promise.resolve(new Uint8Array(bytes.subarray(Number(offset), Number(offset + size)))),
+      },
+    });
     const schema = [...reader.schemasById.values()].find(({ name }) => name === 'demo/msg/Sine')!;
     const decode = new MessageReader(parse(new TextDecoder().decode(schema.data), { ros2: true }));
     const values: number[] = [];
-    for await (const { data } of reader.readMessages({ topics: ['/sine'] })) values.push((decode.readMessage(data) as { value: number }).value);
+    for await (const { data } of reader.readMessages({ topics: ['/sine'] })) values.push((decode.readMessage(data) as { value: number; }).value);
     assert.deepEqual(values.slice(-20), Array.from({ length: 20 }, (_, i) => i));
 
     await page.getByRole('button', { name: /^Forget rosbag2_/ }).click();
@@ -84,7 +86,7 @@ test('what is recorded is downloaded, read by others, dropped on the page and he
 
 test('keyboard alone: seek, speed, loop; and axe-core finds nothing in both themes and at 320 px', async () => {
   for (const colorScheme of ['light', 'dark'] as const) {
-    await stage.on(kScene, { colorScheme, viewport: { width: 320, height: 740 } }, async (page) => {
+    await stage.on(SCENE, { colorScheme, viewport: { width: 320, height: 740 } }, async (page) => {
       await record(page, 5);
       await page.getByRole('button', { name: /^rosbag2_/ }).focus();
       await page.keyboard.press('Enter');
@@ -134,7 +136,7 @@ test('a bag of the site plays by itself, where its panel says so, with types tha
 });
 
 test('what is not a bag says so, and a cut one plays what is there', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     const bytes = await record(page, 3);
     await dropFile(page, '<img src=x onerror=alert(1)>.mcap', Buffer.from('nothing of that kind'));
     await page.getByText('error[R2W0740]').waitFor();

@@ -7,20 +7,20 @@ import { fileURLToPath } from 'node:url';
 import { PageStage, expectAccessible, phone } from '../support/page_stage.ts';
 import type { FakeChecks } from '../../unit/ui/fake_session.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
-const kScene = `checks#layout=${encodeURIComponent(JSON.stringify({ row: ['checks', 'console'], sizes: [1, 2] }))}`;
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
+const SCENE = `checks#layout=${encodeURIComponent(JSON.stringify({ row: ['checks', 'console'], sizes: [1, 2] }))}`;
 
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
 
 test('each check says how far it is and what was seen, and is told when all are decided', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     const rows = page.locator('.check-row');
     await rows.nth(2).waitFor();
     assert.match(await rows.nth(0).innerText(), /\/topic above 1 Hz\s+Seen\s+after 1 s\s+Seen: 2 Hz$/);
@@ -31,7 +31,7 @@ test('each check says how far it is and what was seen, and is told when all are 
     assert.match(await rows.nth(1).innerText(), /<img src=x.*Not seen within 5 s/s);
     assert.match(await rows.nth(2).innerText(), /Not seen yet, within 20 s\s+Seen: no line/);
     assert.match(await page.locator('.panel-checks').innerText(), /1 of 3 checks passed/);
-    await page.screenshot({ path: join(kOutput, 'checks.png') });
+    await page.screenshot({ path: join(OUTPUT, 'checks.png') });
     await page.evaluate(() => {
       const checks = fake.checks as FakeChecks;
       checks.set(checks.views().map((view) => (view.state === 'waiting' ? { ...view, state: 'passed', afterMs: 3000, seen: 'I heard' } : view)));
@@ -45,7 +45,7 @@ test('each check says how far it is and what was seen, and is told when all are 
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, () =>
-    stage.on(kScene, { colorScheme }, async (page) => {
+    stage.on(SCENE, { colorScheme }, async (page) => {
       await page.locator('.check-row').nth(2).waitFor();
       await expectAccessible(page);
     }));

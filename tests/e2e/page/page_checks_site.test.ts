@@ -26,7 +26,8 @@ const met: readonly (readonly [check: string, words: string, seen: string])[] = 
 
 const packed = packedInBrowser((workspace) => {
   workspace.copyPackages('command_robot');
-  workspace.addPythonPackage('tuned_py', { tuned: `import rclpy
+  workspace.addPythonPackage('tuned_py', {
+    tuned: `import rclpy
 from rclpy.node import Node
 
 
@@ -39,7 +40,8 @@ def main():
     node.declare_parameter('flags', [True, False])
     node.declare_parameter('raw', [b'\\x01', b'\\xff'])
     rclpy.spin(node)
-` });
+`,
+  });
   workspace.write('workspace.yaml', `schema: 1
 name: parameters
 packages: [src/*]
@@ -60,7 +62,8 @@ for (const link of played('port', 'shared')) {
       const page = await open('');
       page.setDefaultTimeout(300_000);
       await page.getByText(`${met.length} of ${met.length + 2} checks passed`).waitFor();
-      const row = (words: string): Promise<string> => page.locator('.check-row').filter({ hasText: words }).innerText();
+      const row = (words: string): Promise<string> =>
+        page.locator('.check-row').filter({ hasText: words }).innerText();
       for (const [, words, seen] of met) {
         const text = await row(words);
         assert.match(text, /\bSeen\s+after /, text);

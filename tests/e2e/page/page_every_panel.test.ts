@@ -10,14 +10,14 @@ import { chromium } from 'playwright-core';
 import type { Browser, Locator, Page } from 'playwright-core';
 import { texts } from '../../../runtime/site/ui/texts.ts';
 import { nightly } from '../../support/nightly.ts';
-import { chromiumOptions, kSoftwareWebGl } from '../support/chromium.ts';
+import { chromiumOptions, SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { packEveryPanel } from '../support/every_panel_site.ts';
 import { expectAccessible } from '../support/page_stage.ts';
 import { pixels } from '../support/scene_pixels.ts';
 import { Scratch, ServedSite } from '../support/served_site.ts';
 
-const kOutput = fileURLToPath(new URL('../../output/panels', import.meta.url));
-const kPictures = fileURLToPath(new URL('../../../docs/images/panels', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output/panels', import.meta.url));
+const PICTURES = fileURLToPath(new URL('../../../docs/images/panels', import.meta.url));
 const watchdog = { timeout: 900_000 };
 const scratch = new Scratch();
 const troubles: string[] = [];
@@ -54,10 +54,10 @@ async function call(): Promise<void> {
   await text(panel, /^held/);
 }
 
-const kDiagnostics =
+const DIAGNOSTICS =
   'ros2 topic pub -r 2 /diagnostics diagnostic_msgs/msg/DiagnosticArray "{status: [{level: 1, name: motor, message: warm, hardware_id: SN 7}]}"';
 
-const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
+const SHOWN: Readonly<Record<keyof typeof texts.panels, Shown>> = {
   text: {
     async seen(panel) {
       await panel.getByRole('heading', { name: 'Tune a controller' }).waitFor();
@@ -112,7 +112,7 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
       if ((await panel.getByText(/publishing #/).count()) > 0) return;
       await command(panel, 'ros2 topic list');
       await text(panel, '/turtle1/cmd_vel');
-      await command(panel, kDiagnostics);
+      await command(panel, DIAGNOSTICS);
       await text(panel, /publishing #3/);
     },
   },
@@ -174,11 +174,13 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
       const picture = panel.getByRole('img', { name: 'Image of /camera/image_raw, 64 \u00d7 48, rgb8' });
       await picture.waitFor();
       // The middle of each bar of the test card, above the dot.
-      const bars = await picture.evaluate((canvas) => Array.from({ length: 8 }, (_, bar) => {
-        const one = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
-        if (canvas instanceof HTMLCanvasElement) one?.drawImage(canvas, -(8 * bar + 4), -6);
-        return [...(one?.getImageData(0, 0, 1, 1).data ?? [])].slice(0, 3).map((part) => part >> 7).join('');
-      }));
+      const bars = await picture.evaluate((canvas) =>
+        Array.from({ length: 8 }, (_, bar) => {
+          const one = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
+          if (canvas instanceof HTMLCanvasElement) one?.drawImage(canvas, -(8 * bar + 4), -6);
+          return [...(one?.getImageData(0, 0, 1, 1).data ?? [])].slice(0, 3).map((part) => part >> 7).join('');
+        })
+      );
       assert.deepEqual(bars, ['111', '110', '011', '010', '101', '100', '001', '000']);
     },
   },
@@ -220,17 +222,19 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
   turtlesim: { seen: (panel) => panel.getByRole('application', { name: /turtle1/ }).waitFor() },
 };
 
-const kIds = Object.keys(kShown) as (keyof typeof texts.panels)[];
+const IDS = Object.keys(SHOWN) as (keyof typeof texts.panels)[];
 
 before(async () => {
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
   server = await ServedSite.start([await packEveryPanel(scratch), '--port', '0']);
-  browser = await chromium.launch(chromiumOptions(kSoftwareWebGl));
+  browser = await chromium.launch(chromiumOptions(SOFTWARE_WEB_GL));
   page = await browser.newPage({ viewport: { width: 1280, height: 800 }, colorScheme: 'light', reducedMotion: 'reduce' });
   page.setDefaultTimeout(180_000);
-  page.on('console', (message) => { if (message.type() === 'error' && !message.text().startsWith('[Report Only]')) troubles.push(message.text()); });
+  page.on('console', (message) => {
+    if (message.type() === 'error' && !message.text().startsWith('[Report Only]')) troubles.push(message.text());
+  });
   page.on('pageerror', (error) => troubles.push(error.message));
-  const tabs = kIds.map((id) => (kShown[id].state === undefined ? id : { [id]: kShown[id].state }));
+  const tabs = IDS.map((id) => (SHOWN[id].state === undefined ? id : { [id]: SHOWN[id].state }));
   // A second policy for the document. It only reports, because it also covers the addresses of workers, and nodes are workers.
   await page.addInitScript(() => {
     document.addEventListener('securitypolicyviolation', ({ sample }) => {
@@ -266,11 +270,14 @@ function cutOff(): Promise<readonly string[]> {
       found.push(`the page is ${document.documentElement.scrollHeight} px long, and what it shows ends at ${bottom + scrollY}`);
     for (const element of document.querySelectorAll('.panel *, .head *')) {
       const box = element.getBoundingClientRect();
-      if (box.width === 0 || box.height === 0 || element.closest('.visually-hidden, svg, [aria-hidden=true], .u-wrap, .picture-view, .cm-editor') !== null) continue;
+      if (box.width === 0 || box.height === 0 || element.closest('.visually-hidden, svg, [aria-hidden=true], .u-wrap, .picture-view, .cm-editor') !== null)
+        continue;
       const own = [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim() !== '');
       const control = element.matches('button, input, select, textarea');
       if (!own && !control) continue;
-      const name = `${element.tagName.toLowerCase()}.${element.className} \u201c${(element.getAttribute('aria-label') ?? element.textContent ?? '').slice(0, 40)}\u201d`;
+      const name = `${element.tagName.toLowerCase()}.${element.className} \u201c${
+        (element.getAttribute('aria-label') ?? element.textContent ?? '').slice(0, 40)
+      }\u201d`;
       if ((box.right > innerWidth + 1 || box.left < -1) && !scrolls(element)) found.push(`${name} is beyond the edge`);
       else if (element.matches('button') && element.scrollWidth > element.clientWidth + 1) found.push(`${name} is cut`);
     }
@@ -284,14 +291,14 @@ async function takePicture(id: string, panel: Locator): Promise<void> {
   await page.setViewportSize({ width: 760, height: 520 });
   // Drawings follow the size in the next frames.
   await page.waitForTimeout(1500);
-  mkdirSync(kPictures, { recursive: true });
-  await panel.screenshot({ path: join(kPictures, `${id}.png`) });
+  mkdirSync(PICTURES, { recursive: true });
+  await panel.screenshot({ path: join(PICTURES, `${id}.png`) });
   if (usual !== null) await page.setViewportSize(usual);
 }
 
 // Guarantee, hostile input: the page sets no markup from text: of what Trusted Types guard it uses nothing but the start
 // of workers
-const kViews = [
+const VIEWS = [
   { name: 'light', width: 1280, height: 800, colorScheme: 'light', often: true },
   { name: 'dark', width: 1280, height: 800, colorScheme: 'dark', often: false },
   // 1280 by 800 at 200 %.
@@ -299,13 +306,13 @@ const kViews = [
   { name: 'phone', width: 320, height: 740, colorScheme: 'dark', often: true },
 ] as const;
 
-for (const { name, width, height, colorScheme } of kViews.filter(({ often }) => often || nightly)) {
+for (const { name, width, height, colorScheme } of VIEWS.filter(({ often }) => often || nightly)) {
   test(`every panel shows what the nodes tell, and axe finds nothing: ${name}`, watchdog, async () => {
     await page.setViewportSize({ width, height });
     await page.emulateMedia({ colorScheme });
     const wrong: string[] = [];
-    for (const id of kIds) {
-      const { act, seen } = kShown[id];
+    for (const id of IDS) {
+      const { act, seen } = SHOWN[id];
       await show(id);
       const panel = page.locator(`.panel-${id}`);
       try {
@@ -317,7 +324,7 @@ for (const { name, width, height, colorScheme } of kViews.filter(({ often }) => 
       } catch (error) {
         wrong.push(`${id}: ${String(error)}`);
       }
-      await page.screenshot({ path: join(kOutput, `${id}_${name}.png`) });
+      await page.screenshot({ path: join(OUTPUT, `${id}_${name}.png`) });
       if (name === 'light' && process.env['ROS2WASM_BLESS'] === '1') await takePicture(id, panel);
     }
     assert.deepEqual(wrong, []);
@@ -326,7 +333,9 @@ for (const { name, width, height, colorScheme } of kViews.filter(({ often }) => 
 }
 
 test('a sink that Trusted Types guard would have been seen', async () => {
-  await page.evaluate(() => { document.createElement('div').innerHTML = '<b></b>'; });
+  await page.evaluate(() => {
+    document.createElement('div').innerHTML = '<b></b>';
+  });
   await page.waitForTimeout(100);
   assert.deepEqual(troubles.splice(0), ['Trusted Types: Element innerHTML|<b></b>']);
 });

@@ -34,10 +34,7 @@ test('the first view shows nodes, consoles in the ROS 2 format, and topics', () 
 
 test('the decoder comes only when a topic is opened', () =>
   stage.on('talker', {}, async (page) => {
-    const loaded = (): Promise<string[]> =>
-      page.evaluate(() =>
-        performance.getEntriesByType('resource').map((entry) => entry.name.split('/').at(-1) ?? ''),
-      );
+    const loaded = (): Promise<string[]> => page.evaluate(() => performance.getEntriesByType('resource').map((entry) => entry.name.split('/').at(-1) ?? ''));
     const first = await loaded();
     assert.equal(
       first.some((name) => name.startsWith('codec')),
@@ -104,7 +101,7 @@ test('states are words: starting, exited with code, crashed with code, message a
         kind: 'crashed',
         code: 'R2W0701',
         message: 'unreachable\n  at scan(int) (0x1f)\n  at main (0x2)',
-      }),
+      })
     );
     await page.getByRole('status').getByText('/robot/laser crashed: unreachable', { exact: true }).waitFor();
     const stack = page.locator('.problem-detail').getByText('at scan(int)');
@@ -139,8 +136,7 @@ test('a hundred thousand lines: few in the document, follows the end, keeps a re
     const lines = tile.locator('.lines');
     await tile.getByText('line 99999', { exact: true }).waitFor();
     assert.ok((await tile.locator('.line').count()) < 100);
-    const atEnd = (): Promise<boolean> =>
-      lines.evaluate((box) => box.scrollTop + box.clientHeight >= box.scrollHeight - 2);
+    const atEnd = (): Promise<boolean> => lines.evaluate((box) => box.scrollTop + box.clientHeight >= box.scrollHeight - 2);
     assert.equal(await atEnd(), true);
     await lines.evaluate((box) => {
       box.scrollTop = 20_000;
@@ -162,8 +158,7 @@ test('long lines wrap and their heights are right, ASCII or not', () =>
         'talker-1',
         ...Array.from(
           { length: 300 },
-          (_, i) =>
-            `${i} ${'some words-with/other signs, and '.repeat(i % 9)}${i % 3 === 0 ? '日本語 \u00e4\u{1f600}'.repeat(9) : ''}`,
+          (_, i) => `${i} ${'some words-with/other signs, and '.repeat(i % 9)}${i % 3 === 0 ? '日本語 \u00e4\u{1f600}'.repeat(9) : ''}`,
         ),
       );
     });
@@ -349,25 +344,23 @@ test('age and size of the last message stand in one line, in two columns too', (
     const facts = page.locator('.message-facts');
     await facts.waitFor();
     const lines = (): Promise<number> =>
-      facts.evaluate((element) => new Set([...Array(element.textContent.length).keys()].map((i) => {
-        const range = document.createRange();
-        range.setStart(element.firstChild!, i);
-        range.setEnd(element.firstChild!, i + 1);
-        return Math.round(range.getBoundingClientRect().top);
-      })).size);
+      facts.evaluate((element) =>
+        new Set([...Array(element.textContent.length).keys()].map((i) => {
+          const range = document.createRange();
+          range.setStart(element.firstChild!, i);
+          range.setEnd(element.firstChild!, i + 1);
+          return Math.round(range.getBoundingClientRect().top);
+        })).size
+      );
     assert.equal(await lines(), 1);
   }));
 
 test('a message that was not kept is not said to be none', () =>
   stage.on('quiet', {}, async (page) => {
-    await page.evaluate(() =>
-      fake.setTopics([{ name: '/map', type: 'nav_msgs/msg/OccupancyGrid', publishers: 0, count: 3 }]),
-    );
+    await page.evaluate(() => fake.setTopics([{ name: '/map', type: 'nav_msgs/msg/OccupancyGrid', publishers: 0, count: 3 }]));
     await page.getByRole('button', { name: /^\/map/ }).click();
     await page.getByText('The last message was large').waitFor();
-    await page.evaluate(() =>
-      fake.setTopics([{ name: '/map', type: 'nav_msgs/msg/OccupancyGrid', count: 3 }]),
-    );
+    await page.evaluate(() => fake.setTopics([{ name: '/map', type: 'nav_msgs/msg/OccupancyGrid', count: 3 }]));
     await page.getByText('Fetching the last message').waitFor();
   }));
 
@@ -386,8 +379,7 @@ test('the link is told in plain words, with the way to a faster one', () =>
 
 test('time is held, stepped by the chosen length, and run at another speed', () =>
   stage.on('talker', {}, async (page) => {
-    const asked = (): Promise<readonly string[]> =>
-      page.evaluate(() => window.fake.time.asked);
+    const asked = (): Promise<readonly string[]> => page.evaluate(() => window.fake.time.asked);
     const group = page.getByRole('group', { name: 'Time of the site' });
     await group.getByRole('button', { name: 'Pause the time of all nodes' }).click();
     assert.equal(await group.getByRole('status').innerText(), 'Paused');

@@ -136,8 +136,7 @@ test('never a blank page: no program, no JavaScript, opened from disk', async ()
 
 test('no file of the page refers to another host', () => {
   for (const name of readdirSync(stage.folder)) {
-    const addresses =
-      readFileSync(join(stage.folder, name), 'utf8').match(/https?:\/\/[\w[][^"'`\s)]+/g) ?? [];
+    const addresses = readFileSync(join(stage.folder, name), 'utf8').match(/https?:\/\/[\w[][^"'`\s)]+/g) ?? [];
     // Names of XML, and where the Markdown reader wants to hear of its own errors: words, not requests.
     const words = ['http://www.w3.org/', 'https://github.com/markedjs/marked'];
     assert.deepEqual(

@@ -13,12 +13,12 @@ declare global {
   var heard: (topic: string) => number;
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
@@ -52,8 +52,7 @@ async function tell(page: Page, topic: '/tf' | '/tf_static', steps: readonly Ste
   await page.waitForFunction((name) => heard(name) > 0, topic);
 }
 
-const names = (page: Page): Promise<string[]> =>
-  page.locator('.panel-frames .topic-name').evaluateAll((all) => all.map((each) => each.textContent));
+const names = (page: Page): Promise<string[]> => page.locator('.panel-frames .topic-name').evaluateAll((all) => all.map((each) => each.textContent));
 
 const row = (page: Page, name: string) =>
   page.locator('.panel-frames .topic').filter({ has: page.locator('.topic-name').filter({ hasText: new RegExp(`^${name}$`) }) });
@@ -75,11 +74,13 @@ test('frames stand below their parents, with rate, age and what is static', () =
     await page.getByText('4 frames').waitFor();
     await row(page, 'laser').getByText('static').waitFor();
     await row(page, 'laser').getByText('in base_link').waitFor();
-    const timer = await page.evaluate(() => setInterval(() => {
-      const now = fake.time.view().now;
-      const header = { stamp: { sec: Math.floor(now / 1000), nanosec: (now % 1000) * 1e6 }, frame_id: 'map' };
-      send('/tf', 'tf2_msgs/msg/TFMessage', { transforms: [{ header, child_frame_id: 'odom', transform: { rotation: { w: 1 } } }] });
-    }, 50) as unknown as number);
+    const timer = await page.evaluate(() =>
+      setInterval(() => {
+        const now = fake.time.view().now;
+        const header = { stamp: { sec: Math.floor(now / 1000), nanosec: (now % 1000) * 1e6 }, frame_id: 'map' };
+        send('/tf', 'tf2_msgs/msg/TFMessage', { transforms: [{ header, child_frame_id: 'odom', transform: { rotation: { w: 1 } } }] });
+      }, 50) as unknown as number
+    );
     await row(page, 'odom').getByText(/Hz$/).waitFor();
     // Nothing more comes: it grows old.
     await page.evaluate((id) => clearInterval(id), timer);
@@ -88,7 +89,7 @@ test('frames stand below their parents, with rate, age and what is static', () =
     const facts = row(page, 'base_link').locator('dl');
     await facts.getByText('Translation (m)').waitFor();
     assert.match((await facts.textContent()) ?? '', /x 2\.0000.*z 0\.7071.*w 0\.7071.*yaw 1\.5708.*yaw 90\.0000/);
-    await page.screenshot({ path: join(kOutput, 'frames.png') });
+    await page.screenshot({ path: join(OUTPUT, 'frames.png') });
     await page.getByRole('searchbox', { name: 'Filter frames' }).fill('LAS');
     await row(page, 'odom').waitFor({ state: 'detached' });
     assert.deepEqual(await names(page), ['laser']);
@@ -125,7 +126,7 @@ test('several trees, rings of parents and transforms that are none are told', ()
     await page.getByText('A ring of parents, so the place of these frames is unknown: a in b in a').waitFor();
     await tell(page, '/tf', [{ parent: 'same', child: 'same' }, { parent: 'map', child: 'far', x: Number.NaN }]);
     await page.getByText('2 transforms were refused').waitFor();
-    await page.screenshot({ path: join(kOutput, 'frames_broken.png') });
+    await page.screenshot({ path: join(OUTPUT, 'frames_broken.png') });
   }));
 
 test('hostile names are text', () =>
@@ -157,6 +158,6 @@ test('the frames fit a phone, and are worked by keyboard', () =>
     await page.keyboard.press('Enter');
     await row(page, 'laser').locator('dl').waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
-    await page.screenshot({ path: join(kOutput, 'frames_phone.png') });
+    await page.screenshot({ path: join(OUTPUT, 'frames_phone.png') });
     await expectAccessible(page);
   }));

@@ -17,18 +17,22 @@ declare global {
   var endpoint: (name: string, type: string) => GraphEndpointView;
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
 
 const withGraph = (state: unknown = null, scene = 'graph'): string =>
-  `${scene}#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { tabs: [state === null ? 'graph' : { graph: state }, 'topics', 'console'] }], sizes: [1, 3], shown: 'graph' }))}`;
+  `${scene}#layout=${
+    encodeURIComponent(
+      JSON.stringify({ row: ['nodes', { tabs: [state === null ? 'graph' : { graph: state }, 'topics', 'console'] }], sizes: [1, 3], shown: 'graph' }),
+    )
+  }`;
 
 const boxes = (page: Page): Promise<string[]> =>
   page.locator('.graph-box').evaluateAll((all) => all.map((each) => each.getAttribute('aria-label') ?? '').sort());
@@ -43,8 +47,16 @@ test('nodes, topics and actions are drawn without what is hidden, with live rate
   stage.on(withGraph(), {}, async (page) => {
     await box(page, 'Node /robot/laser').waitFor();
     assert.deepEqual(await boxes(page), [
-      'Action /navigate', 'Node /mission', 'Node /planner', 'Node /robot/diff_drive', 'Node /robot/laser', 'Node /safety',
-      'Topic /robot/cmd_vel, 12.0 Hz', 'Topic /robot/odom, 29.9 Hz', 'Topic /robot/scan, 10.0 Hz', 'Topic /tf',
+      'Action /navigate',
+      'Node /mission',
+      'Node /planner',
+      'Node /robot/diff_drive',
+      'Node /robot/laser',
+      'Node /safety',
+      'Topic /robot/cmd_vel, 12.0 Hz',
+      'Topic /robot/odom, 29.9 Hz',
+      'Topic /robot/scan, 10.0 Hz',
+      'Topic /tf',
     ]);
     assert.deepEqual(await page.locator('.graph-group-name').allTextContents(), ['/robot']);
     // The rate of one publisher is on its wire; the rate of two is on the wire to the reader.
@@ -52,7 +64,7 @@ test('nodes, topics and actions are drawn without what is hidden, with live rate
     await page.evaluate(() => fake.setTopics([{ name: '/robot/scan', type: 'sensor_msgs/msg/LaserScan', rateHz: 5 }]));
     await page.locator('.graph-rate').getByText('5.00 Hz').waitFor();
     await box(page, 'Topic /robot/odom').and(page.locator('[aria-label="Topic /robot/odom"]')).waitFor();
-    await page.screenshot({ path: join(kOutput, 'graph.png') });
+    await page.screenshot({ path: join(OUTPUT, 'graph.png') });
     await page.getByRole('checkbox', { name: 'Hidden' }).check();
     await box(page, 'Node /_ros2wasm_page').waitFor();
     for (const name of ['Topic /rosout', 'Topic /navigate/_action/feedback']) await box(page, name).waitFor();
@@ -69,10 +81,14 @@ test('nodes only: topics and actions are words on the wires, and open as boxes d
     await box(page, 'Node /mission').waitFor();
     assert.equal(await page.locator('.graph-topic, .graph-action').count(), 0);
     assert.deepEqual((await page.locator('.graph-words').evaluateAll((all) => all.map((each) => each.getAttribute('aria-label') ?? ''))).sort(), [
-      'Action /navigate', 'Topic /robot/cmd_vel, 12.0 Hz', 'Topic /robot/cmd_vel, 12.0 Hz', 'Topic /robot/odom, 29.9 Hz',
-      'Topic /robot/scan, 10.0 Hz', 'Topic /robot/scan, 10.0 Hz',
+      'Action /navigate',
+      'Topic /robot/cmd_vel, 12.0 Hz',
+      'Topic /robot/cmd_vel, 12.0 Hz',
+      'Topic /robot/odom, 29.9 Hz',
+      'Topic /robot/scan, 10.0 Hz',
+      'Topic /robot/scan, 10.0 Hz',
     ]);
-    await page.screenshot({ path: join(kOutput, 'graph_nodes.png') });
+    await page.screenshot({ path: join(OUTPUT, 'graph_nodes.png') });
     await page.locator('.graph-words[aria-label="Action /navigate"]').click();
     const details = page.getByRole('region', { name: 'Details of /navigate' });
     await details.getByRole('button', { name: '/planner' }).click();
@@ -98,7 +114,7 @@ test('services are drawn when they are asked for, but for those that every node 
     await box(page, 'Service /add').waitFor();
     assert.equal(await page.locator('.graph-service').count(), 1);
     assert.equal(await page.locator('.graph-wire-service').count(), 2);
-    await page.screenshot({ path: join(kOutput, 'graph_services.png') });
+    await page.screenshot({ path: join(OUTPUT, 'graph_services.png') });
     await box(page, 'Service /add').click();
     const details = page.getByRole('region', { name: 'Details of /add' });
     await details.getByText('Clients', { exact: true }).waitFor();
@@ -296,7 +312,7 @@ test('the graph fits a phone', () =>
     await box(page, 'Node /planner').waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
     assert.ok(((await page.locator('.graph-drawing').boundingBox())?.height ?? 0) >= 120);
-    await page.screenshot({ path: join(kOutput, 'graph_phone.png') });
+    await page.screenshot({ path: join(OUTPUT, 'graph_phone.png') });
     await box(page, 'Node /planner').click();
     await page.getByRole('region', { name: 'Details of /planner' }).waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);

@@ -22,13 +22,13 @@ declare global {
   var driver: Managed;
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
-const kHostile = '<img src=x onerror="document.title=\'owned\'">';
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
+const HOSTILE = '<img src=x onerror="document.title=\'owned\'">';
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
@@ -42,7 +42,7 @@ interface Status {
   readonly name: string;
   readonly message?: string;
   readonly hardware_id?: string;
-  readonly values?: readonly { readonly key: string; readonly value: string }[];
+  readonly values?: readonly { readonly key: string; readonly value: string; }[];
 }
 
 async function tell(page: Page, status: readonly Status[]): Promise<void> {
@@ -54,17 +54,24 @@ async function tell(page: Page, status: readonly Status[]): Promise<void> {
   await page.evaluate((list) => send('/diagnostics', 'diagnostic_msgs/msg/DiagnosticArray', { status: list }), status);
 }
 
-const kStatuses: readonly Status[] = [
+const STATUSES: readonly Status[] = [
   { level: 0, name: 'battery', message: '12.1 V' },
-  { level: 2, name: 'motor: left', message: 'does not answer', hardware_id: 'SN 42', values: [{ key: 'Temperature', value: '81.5' }, { key: kHostile, value: kHostile }] },
+  {
+    level: 2,
+    name: 'motor: left',
+    message: 'does not answer',
+    hardware_id: 'SN 42',
+    values: [{ key: 'Temperature', value: '81.5' }, { key: HOSTILE, value: HOSTILE }],
+  },
   { level: 1, name: 'laser', message: 'slow: 7 Hz' },
-  { level: 0, name: kHostile, message: kHostile },
+  { level: 0, name: HOSTILE, message: HOSTILE },
 ];
 
 /** Names with their levels, in order. */
 const rows = (page: Page): Promise<string[]> =>
   page.locator('.panel-diagnostics .topic').evaluateAll((all) =>
-    all.map((each) => `${each.querySelector('.topic-name')?.textContent ?? ''}: ${each.querySelector('.diagnostics-level')?.textContent ?? ''}`));
+    all.map((each) => `${each.querySelector('.topic-name')?.textContent ?? ''}: ${each.querySelector('.diagnostics-level')?.textContent ?? ''}`)
+  );
 
 test('statuses stand by level, the worst first, with counts, and what is silent is stale', () =>
   stage.on(diagnostics(), {}, async (page) => {
@@ -74,9 +81,9 @@ test('statuses stand by level, the worst first, with counts, and what is silent 
       const view = fake.time.view();
       fake.time.view = () => view;
     });
-    await tell(page, kStatuses);
+    await tell(page, STATUSES);
     await page.getByText('12.1 V').waitFor();
-    assert.deepEqual(await rows(page), ['motor: left: Error', 'laser: Warning', `${kHostile}: OK`, 'battery: OK']);
+    assert.deepEqual(await rows(page), ['motor: left: Error', 'laser: Warning', `${HOSTILE}: OK`, 'battery: OK']);
     const levels = page.getByRole('group', { name: 'Level shown' });
     assert.deepEqual(await levels.getByRole('button').allTextContents(), ['All 4', 'Error 1', 'Warning 1', 'Stale 0', 'OK 2']);
     await page.getByRole('button', { name: /^motor: left/ }).click();
@@ -84,7 +91,7 @@ test('statuses stand by level, the worst first, with counts, and what is silent 
     assert.match((await facts.textContent()) ?? '', /Messagedoes not answerHardwareSN 42Temperature81\.5<img/);
     assert.equal(await page.locator('.panel-diagnostics img').count(), 0);
     assert.notEqual(await page.title(), 'owned');
-    await page.screenshot({ path: join(kOutput, 'diagnostics.png') });
+    await page.screenshot({ path: join(OUTPUT, 'diagnostics.png') });
     await levels.getByRole('button', { name: /^OK/ }).click();
     await page.waitForFunction(() => document.querySelectorAll('.panel-diagnostics .topic').length === 2);
     await page.getByRole('searchbox', { name: 'Filter diagnostics' }).fill('BATT');
@@ -120,7 +127,7 @@ test('managed nodes show their states and take the transitions that there are', 
     await page.getByRole('button', { name: 'activate /driver', exact: true }).click();
     await row.getByText('active', { exact: true }).waitFor();
     await page.getByRole('button', { name: 'deactivate /driver' }).waitFor();
-    await page.screenshot({ path: join(kOutput, 'lifecycle.png') });
+    await page.screenshot({ path: join(OUTPUT, 'lifecycle.png') });
     // By somebody else.
     await page.evaluate(() => driver.go('deactivate', 2));
     await row.getByText('inactive', { exact: true }).waitFor();
@@ -163,7 +170,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     stage.on(withPanel({ column: ['diagnostics', 'lifecycle'] }, 'diagnostics'), { colorScheme, reducedMotion: 'reduce' }, async (page) => {
       await page.getByRole('button', { name: 'configure /driver' }).click();
       await node(page, '/driver').getByText('inactive', { exact: true }).waitFor();
-      await tell(page, kStatuses);
+      await tell(page, STATUSES);
       await page.getByRole('button', { name: /^motor: left/ }).click();
       await expectAccessible(page);
     }));
@@ -171,10 +178,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
 
 test('diagnostics and lifecycle fit a phone', async () => {
   await stage.on(diagnostics(), { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
-    await tell(page, kStatuses);
+    await tell(page, STATUSES);
     await page.getByRole('button', { name: /^motor: left/ }).click();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
-    await page.screenshot({ path: join(kOutput, 'diagnostics_phone.png') });
+    await page.screenshot({ path: join(OUTPUT, 'diagnostics_phone.png') });
     await expectAccessible(page);
   });
   await stage.on(lifecycle, { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {

@@ -8,10 +8,10 @@ import { PageStage, expectAccessible } from '../support/page_stage.ts';
 
 declare global {
   // Set by page_fake.tsx in the scene "world".
-  var joints: readonly { readonly name: readonly string[]; readonly position: ArrayLike<number> }[];
+  var joints: readonly { readonly name: readonly string[]; readonly position: ArrayLike<number>; }[];
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 let stage: PageStage;
 
 before(async () => {
@@ -20,7 +20,7 @@ before(async () => {
 
 after(() => stage.close());
 
-const kRobot = `<robot name="arm"><link name="base"/>
+const ROBOT = `<robot name="arm"><link name="base"/>
   <joint name="turn" type="revolute"><parent link="base"/><child link="a"/><limit lower="-1" upper="2"/></joint>
   <joint name="finger" type="prismatic"><limit lower="0.2" upper="0.6"/></joint>
   <joint name="other" type="prismatic"><limit lower="-1" upper="1"/><mimic joint="finger" multiplier="-1"/></joint>
@@ -40,7 +40,7 @@ test('joints are set by sliders, keys and numbers, and published ten times a sec
   stage.on(`world#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', 'joints'], shown: 'joints' }))}`, {}, async (page) => {
     const panel = page.locator('.panel-joints');
     await panel.getByText('Waits for a robot description on /robot_description.').waitFor();
-    await page.evaluate((data) => send('/robot_description', 'std_msgs/msg/String', { data }), kRobot);
+    await page.evaluate((data) => send('/robot_description', 'std_msgs/msg/String', { data }), ROBOT);
     await panel.getByRole('slider', { name: 'turn' }).waitFor();
     // Upright where that is within bounds, else in the middle.
     const publish = panel.getByRole('checkbox', { name: 'Publish' });
@@ -55,7 +55,7 @@ test('joints are set by sliders, keys and numbers, and published ten times a sec
     await until(page, ([, finger, other]) => finger === 0.6 && other === -0.6);
     await panel.getByText('as finger: -0.600 m').waitFor();
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'joints.png') });
+    await page.screenshot({ path: join(OUTPUT, 'joints.png') });
     await panel.getByRole('button', { name: 'Randomize' }).click();
     await until(page, ([turn = 9, finger = 9, other]) => turn !== 2 && turn >= -1 && turn <= 2 && finger >= 0.2 && finger <= 0.6 && other === -finger);
     await panel.getByRole('button', { name: 'Center' }).click();
@@ -65,7 +65,11 @@ test('joints are set by sliders, keys and numbers, and published ten times a sec
     await page.waitForFunction(() => {
       // The panel subscribes when the topic is there: said again until it is heard.
       send('/joint_states', 'sensor_msgs/msg/JointState', {
-        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, name: ['finger', 'nobody', 'turn'], position: [0.5, 3, -0.75], velocity: [], effort: [],
+        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' },
+        name: ['finger', 'nobody', 'turn'],
+        position: [0.5, 3, -0.75],
+        velocity: [],
+        effort: [],
       });
       return document.querySelector<HTMLInputElement>('.panel-joints input[type="number"]')?.value === '-0.75';
     });

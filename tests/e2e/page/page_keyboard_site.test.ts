@@ -12,16 +12,16 @@ import { chromiumOptions } from '../support/chromium.ts';
 import { packEveryPanel } from '../support/every_panel_site.ts';
 import { Scratch, ServedSite } from '../support/served_site.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 const watchdog = { timeout: 900_000 };
-const kMostTabs = 250;
+const MOST_TABS = 250;
 const scratch = new Scratch();
 let browser: Browser;
 let server: ServedSite;
 let page: Page;
 
 before(async () => {
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
   server = await ServedSite.start([await packEveryPanel(scratch), '--port', '0']);
   browser = await chromium.launch(chromiumOptions());
   page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
@@ -69,7 +69,14 @@ function focus(): Promise<Focus> {
       if (overflowX !== 'visible') [left, right] = [left && ring.left > clip.left - width, right && ring.right < clip.right + width];
       if (overflowY !== 'visible') [top, bottom] = [top && ring.top > clip.top - width, bottom && ring.bottom < clip.bottom + width];
     }
-    return { name, unseen: (left || right) && (top || bottom) ? '' : `its ring is cut off: left, right, top, bottom ${[left, right, top, bottom].join()} at ${[ring.left, ring.right, ring.top, ring.bottom].map(Math.round).join()}` };
+    return {
+      name,
+      unseen: (left || right) && (top || bottom)
+        ? ''
+        : `its ring is cut off: left, right, top, bottom ${[left, right, top, bottom].join()} at ${
+          [ring.left, ring.right, ring.top, ring.bottom].map(Math.round).join()
+        }`,
+    };
   });
 }
 
@@ -87,7 +94,7 @@ async function press(key: string): Promise<string> {
 /** Goes on with Tab to what has that name. At its end the page gives the focus to the browser, once. */
 async function tabTo(wanted: RegExp | string, key = 'Tab'): Promise<void> {
   const met: string[] = [];
-  for (let i = 0; i < kMostTabs; i += 1) {
+  for (let i = 0; i < MOST_TABS; i += 1) {
     await page.keyboard.press(key);
     const { name, unseen } = await focus();
     if (name === '') {
@@ -184,7 +191,7 @@ test('from the address bar to the last node stopped, without a pointer', watchdo
   await page.keyboard.type('ros2 param get /controller k_heading');
   await press('Enter');
   await page.getByText('Double value is: 3.5').waitFor();
-  await page.screenshot({ path: join(kOutput, 'keyboard_journey.png') });
+  await page.screenshot({ path: join(OUTPUT, 'keyboard_journey.png') });
 
   await tabTo('Stop all');
   await press('Enter');

@@ -22,8 +22,8 @@ function groups(page: Page): Promise<readonly string[]> {
     [...document.querySelectorAll('.group')].map((group) =>
       [...group.querySelectorAll('[role="tab"]')]
         .map((tab) => tab.textContent + (tab.ariaSelected === 'true' ? '*' : ''))
-        .join(' '),
-    ),
+        .join(' ')
+    )
   );
 }
 
@@ -31,21 +31,21 @@ async function groupsBecome(page: Page, expected: readonly string[]): Promise<vo
   await page
     .waitForFunction(
       (wanted) =>
-        wanted ===
-        JSON.stringify(
-          [...document.querySelectorAll('.group')].map((group) =>
-            [...group.querySelectorAll('[role="tab"]')]
-              .map((tab) => tab.textContent + (tab.ariaSelected === 'true' ? '*' : ''))
-              .join(' '),
+        wanted
+          === JSON.stringify(
+            [...document.querySelectorAll('.group')].map((group) =>
+              [...group.querySelectorAll('[role="tab"]')]
+                .map((tab) => tab.textContent + (tab.ariaSelected === 'true' ? '*' : ''))
+                .join(' ')
+            ),
           ),
-        ),
       JSON.stringify(expected),
       { timeout: 30_000 },
     )
     .catch(async () => assert.deepEqual(await groups(page), expected));
 }
 
-async function drag(page: Page, tab: string, to: { readonly x: number; readonly y: number }): Promise<void> {
+async function drag(page: Page, tab: string, to: { readonly x: number; readonly y: number; }): Promise<void> {
   const box = (await page.getByRole('tab', { name: tab }).boundingBox()) ?? assert.fail();
   await page.mouse.move(box.x + 20, box.y + 10);
   await page.mouse.down();
@@ -178,8 +178,7 @@ test('a hostile link changes nothing but a notice', () =>
 test('bars between groups work by mouse and keyboard, and the parts are remembered', () =>
   stage.on('quiet', {}, async (page) => {
     const bar = page.getByRole('separator', { name: 'Border between Nodes and Consoles' });
-    const width = (): Promise<number> =>
-      page.locator('.panel-nodes').evaluate((panel) => Math.round(panel.getBoundingClientRect().width));
+    const width = (): Promise<number> => page.locator('.panel-nodes').evaluate((panel) => Math.round(panel.getBoundingClientRect().width));
     const becomes = (least: number, most: number): Promise<unknown> =>
       page.waitForFunction(
         ([a, b]) => {
@@ -205,7 +204,10 @@ test('bars between groups work by mouse and keyboard, and the parts are remember
     await becomes(start - 32, start - 32);
     const both = await page.evaluate(() =>
       ['.panel-nodes', '.panel-console'].reduce(
-        (sum, panel) => sum + (document.querySelector(panel)?.getBoundingClientRect().width ?? 0), 0));
+        (sum, panel) => sum + (document.querySelector(panel)?.getBoundingClientRect().width ?? 0),
+        0,
+      )
+    );
     await bar.dblclick();
     await becomes(both / 2, both / 2);
   }));
@@ -266,12 +268,14 @@ test('a link brings the parameters that were set, and whether nodes run', async 
 });
 
 test('the layout is copied as lines of a manifest', () =>
-  stage.on(`quiet#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { plot: { paths: ['/a.b'] } }], sizes: [1, 3] }))}`, { permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
+  stage.on(`quiet#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { plot: { paths: ['/a.b'] } }], sizes: [1, 3] }))}`, {
+    permissions: ['clipboard-read', 'clipboard-write'],
+  }, async (page) => {
     await page.getByRole('tab', { name: 'Plot' }).waitFor();
     await page.getByRole('button', { name: 'Layout of the page' }).click();
     await page.getByRole('menuitem', { name: /^Copy as .ui: layout:/ }).click();
     await page.getByRole('status').getByText('Copied').waitFor();
-    const { ui } = parse(await page.evaluate(() => navigator.clipboard.readText())) as { ui: { layout: { row: unknown } } };
+    const { ui } = parse(await page.evaluate(() => navigator.clipboard.readText())) as { ui: { layout: { row: unknown; }; }; };
     assert.deepEqual(ui.layout.row, ['nodes', { plot: { paths: ['/a.b'] } }]);
   }));
 
@@ -293,18 +297,27 @@ test('a group fills the page, by keyboard, and what is behind goes on unseen', (
 
 test('links bring what panels show: a filter, a message, a request, a line that is not run', async () => {
   const layout = (panels: unknown): string => `#layout=${encodeURIComponent(JSON.stringify(panels))}`;
-  await stage.on(`publish${layout({ row: [{ console: { text: 'hello', level: 'WARN' } }, { publish: { topic: '/cmd_vel', type: 'geometry_msgs/msg/Twist', message: '{linear: {x: 0.5}}' } }, { terminal: { line: 'ros2 topic list\n<b>' } }] })}`, {}, async (page) => {
-    assert.equal(await page.getByRole('searchbox', { name: 'Filter lines' }).inputValue(), 'hello');
-    assert.equal(await page.getByRole('combobox', { name: 'Lowest level shown' }).inputValue(), 'WARN');
-    await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).waitFor();
-    assert.equal(await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).inputValue(), '{linear: {x: 0.5}}');
-    assert.equal(await page.getByRole('textbox', { name: 'Command' }).inputValue(), 'ros2 topic list <b>');
-    assert.equal(await page.getByText('$ ros2 topic list').count(), 0);
-    // The written text is in the next link, once its field has lost the focus.
-    await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).fill('{angular: {z: 2}}');
-    await page.getByRole('searchbox', { name: 'Filter lines' }).fill('world');
-    assert.match(fieldsOf(await copyLink(page)).get('layout') ?? '', /"text":"world".*"message":"\{angular: \{z: 2\}\}"/);
-  });
+  await stage.on(
+    `publish${
+      layout({
+        row: [{ console: { text: 'hello', level: 'WARN' } }, { publish: { topic: '/cmd_vel', type: 'geometry_msgs/msg/Twist', message: '{linear: {x: 0.5}}' } },
+          { terminal: { line: 'ros2 topic list\n<b>' } }],
+      })
+    }`,
+    {},
+    async (page) => {
+      assert.equal(await page.getByRole('searchbox', { name: 'Filter lines' }).inputValue(), 'hello');
+      assert.equal(await page.getByRole('combobox', { name: 'Lowest level shown' }).inputValue(), 'WARN');
+      await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).waitFor();
+      assert.equal(await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).inputValue(), '{linear: {x: 0.5}}');
+      assert.equal(await page.getByRole('textbox', { name: 'Command' }).inputValue(), 'ros2 topic list <b>');
+      assert.equal(await page.getByText('$ ros2 topic list').count(), 0);
+      // The written text is in the next link, once its field has lost the focus.
+      await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).fill('{angular: {z: 2}}');
+      await page.getByRole('searchbox', { name: 'Filter lines' }).fill('world');
+      assert.match(fieldsOf(await copyLink(page)).get('layout') ?? '', /"text":"world".*"message":"\{angular: \{z: 2\}\}"/);
+    },
+  );
   await stage.on(`services${layout({ services: { name: '/add', request: '{a: 20, b: 3}' } })}`, {}, async (page) => {
     await page.getByRole('button', { name: 'Call' }).click();
     await page.getByText('sum:').waitFor();

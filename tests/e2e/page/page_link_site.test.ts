@@ -52,7 +52,10 @@ async function visited<T>(address: string, look: (page: Page) => Promise<T>): Pr
   }
 }
 
-for (const [how, isolated, name] of [['shared memory, localhost', true, '127.0.0.1'], ['message ports, plain http of another machine', false, 'lab.example']] as const) {
+for (
+  const [how, isolated, name] of [['shared memory, localhost', true, '127.0.0.1'], ['message ports, plain http of another machine', false,
+    'lab.example']] as const
+) {
   test(`${how}: a link brings launch arguments, parameters and layout, and says when it is of another site`, watchdog, async () => {
     const host = await serveFolder(join(workspace.root, 'site'), { isolated });
     const address = host.url.replace('127.0.0.1', name).replace('localhost', name);

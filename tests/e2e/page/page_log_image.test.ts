@@ -20,17 +20,22 @@ before(async () => {
 
 after(() => stage.close());
 
-const withPanels = (layout: unknown): string =>
-  `signals#layout=${encodeURIComponent(JSON.stringify(layout))}`;
+const withPanels = (layout: unknown): string => `signals#layout=${encodeURIComponent(JSON.stringify(layout))}`;
 
-const kMarkup = '<img src=x onerror="document.title=\'owned\'">';
+const MARKUP = '<img src=x onerror="document.title=\'owned\'">';
 
 async function log(page: Page): Promise<void> {
   const send = (level: number, name: string, msg: string): Promise<void> =>
     page.evaluate(
       ([number, node, text]) =>
         globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
-          stamp: { sec: 1700000000, nanosec: 5 }, level: number, name: node, msg: text, file: '', function: '', line: 0,
+          stamp: { sec: 1700000000, nanosec: 5 },
+          level: number,
+          name: node,
+          msg: text,
+          file: '',
+          function: '',
+          line: 0,
         }),
       [level, name, msg] as const,
     );
@@ -38,7 +43,7 @@ async function log(page: Page): Promise<void> {
   await page.waitForFunction(() => heard('/rosout') > 0);
   await send(20, 'robot.drive', 'wheels turn');
   await send(30, 'robot.laser', 'a beam is late');
-  await send(50, 'robot.drive', kMarkup);
+  await send(50, 'robot.drive', MARKUP);
 }
 
 test('the log shows all nodes, by level, node and text', () =>
@@ -46,12 +51,20 @@ test('the log shows all nodes, by level, node and text', () =>
     await log(page);
     const lines = page.getByRole('log', { name: 'Log' });
     await lines.getByText('wheels turn').waitFor();
-    await lines.getByText(kMarkup).waitFor();
+    await lines.getByText(MARKUP).waitFor();
     assert.match(await lines.innerText(), /\[INFO\] \[1700000000\.000000005\] \[robot\.drive\]: wheels turn/);
     // Where: only those that say so.
-    await page.evaluate(() => globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
-      stamp: { sec: 1700000001, nanosec: 0 }, level: 20, name: 'robot.arm', msg: 'arm up', file: 'src/arm.cpp', function: 'lift', line: 42,
-    }));
+    await page.evaluate(() =>
+      globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
+        stamp: { sec: 1700000001, nanosec: 0 },
+        level: 20,
+        name: 'robot.arm',
+        msg: 'arm up',
+        file: 'src/arm.cpp',
+        function: 'lift',
+        line: 42,
+      })
+    );
     await lines.getByText('[robot.arm]: arm up', { exact: true }).or(lines.locator('.line', { hasText: /arm up$/ })).first().waitFor();
     await page.getByRole('button', { name: 'Show where each line was logged' }).click();
     await lines.getByText('arm up  [File "src/arm.cpp", line 42, in lift]').waitFor();
@@ -62,7 +75,7 @@ test('the log shows all nodes, by level, node and text', () =>
     await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('WARN');
     await lines.getByText('wheels turn').waitFor({ state: 'detached' });
     await page.getByRole('combobox', { name: 'Node whose lines' }).selectOption('robot.laser');
-    await lines.getByText(kMarkup).waitFor({ state: 'detached' });
+    await lines.getByText(MARKUP).waitFor({ state: 'detached' });
     await lines.getByText('a beam is late').waitFor();
     await page.getByRole('searchbox', { name: 'Filter the log' }).fill('nothing like it');
     await page.getByText('None of 1 lines match the filter.').waitFor();
@@ -94,9 +107,17 @@ test('a hundred thousand lines that consoles have are in the log, and few of the
     await page.keyboard.press('Home');
     await lines.getByText('line 0', { exact: true }).waitFor();
     // New lines come after them; the view does not scroll away from the reader's place.
-    const say = (msg: string): Promise<void> => page.evaluate((text) => globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
-      stamp: { sec: 1700000001, nanosec: 0 }, level: 20, name: 'talker', msg: text, file: '', function: '', line: 0,
-    }), msg);
+    const say = (msg: string): Promise<void> =>
+      page.evaluate((text) =>
+        globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
+          stamp: { sec: 1700000001, nanosec: 0 },
+          level: 20,
+          name: 'talker',
+          msg: text,
+          file: '',
+          function: '',
+          line: 0,
+        }), msg);
     await say('before anybody listens');
     await page.waitForFunction(() => heard('/rosout') > 0);
     await say('fresh');
@@ -112,7 +133,12 @@ async function picture(page: Page): Promise<void> {
     page.evaluate(
       (head) =>
         globalThis.send('/camera', 'sensor_msgs/msg/Image', {
-          header: head, height: 2, width: 2, encoding: 'rgb8', is_bigendian: 0, step: 6,
+          header: head,
+          height: 2,
+          width: 2,
+          encoding: 'rgb8',
+          is_bigendian: 0,
+          step: 6,
           data: [255, 0, 0, 0, 255, 0, 0, 0, 255, 9, 8, 7],
         }),
       header,
@@ -138,8 +164,14 @@ test('raw images are drawn as they are, with what was measured under the pointer
     await page.getByText('(1, 1): R 9 G 8 B 7').waitFor();
     await page.evaluate(() =>
       globalThis.send('/camera', 'sensor_msgs/msg/Image', {
-        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, height: 4000000, width: 4000000, encoding: 'rgb8', is_bigendian: 0, step: 6, data: [1],
-      }),
+        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' },
+        height: 4000000,
+        width: 4000000,
+        encoding: 'rgb8',
+        is_bigendian: 0,
+        step: 6,
+        data: [1],
+      })
     );
     await page.getByText('Cannot be shown: 4000000 \u00d7 4000000 pixels are too many.').waitFor();
   }));
@@ -156,7 +188,13 @@ async function show(page: Page, topic: string, frame: Frame, shown: string): Pro
     page.evaluate(([name, { encoding, width, data }]) => {
       const height = Math.floor(data.length / width / (encoding === '16UC1' ? 2 : 1));
       globalThis.send(name, 'sensor_msgs/msg/Image', {
-        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, height, width, encoding, is_bigendian: 0, step: data.length / height, data: [...data],
+        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' },
+        height,
+        width,
+        encoding,
+        is_bigendian: 0,
+        step: data.length / height,
+        data: [...data],
       });
     }, [topic, frame] as const);
   await send();
@@ -176,7 +214,7 @@ function pixels(page: Page): Promise<readonly number[]> {
 }
 
 /** How large a pixel of the picture is, and where its corner stands in the view. */
-function camera(page: Page): Promise<{ scale: number; x: number; y: number }> {
+function camera(page: Page): Promise<{ scale: number; x: number; y: number; }> {
   return page.locator('.picture-canvas').evaluate((element) => {
     const matrix = new DOMMatrix(getComputedStyle(element).transform);
     return { scale: matrix.a, x: matrix.e, y: matrix.f };
@@ -302,7 +340,9 @@ test('compressed images are read by the browser, and what is none is told', () =
         drawing.getContext('2d')?.fillRect(0, 0, 8, 4);
         const png = new Uint8Array(await (await drawing.convertToBlob()).arrayBuffer());
         globalThis.send('/camera/compressed', 'sensor_msgs/msg/CompressedImage', {
-          header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, format: 'png', data: right ? [...png] : [1, 2, 3],
+          header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' },
+          format: 'png',
+          data: right ? [...png] : [1, 2, 3],
         });
       }, good);
     await send(true);

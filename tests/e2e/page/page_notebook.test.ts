@@ -12,8 +12,8 @@ import { serveFolder } from '../../support/static_server.ts';
 import { PageStage, expectAccessible } from '../support/page_stage.ts';
 import { Scratch, runCli } from '../support/served_site.ts';
 
-const kExample = fileURLToPath(new URL('../../../examples/06_notebook', import.meta.url));
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const EXAMPLE = fileURLToPath(new URL('../../../examples/06_notebook', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 
 const scratch = new Scratch();
 let stage: PageStage;
@@ -21,9 +21,9 @@ let site = process.env['ROS2WASM_NOTEBOOK_SITE'] ?? '';
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
   if (site !== '') return;
-  cpSync(kExample, join(scratch.path, 'example'), { recursive: true });
+  cpSync(EXAMPLE, join(scratch.path, 'example'), { recursive: true });
   site = join(scratch.path, 'site');
   const packed = await runCli(['pack', join(scratch.path, 'example/workspace.yaml'), '-o', site]);
   assert.equal(packed.code, 0, packed.errors);
@@ -66,15 +66,16 @@ test('example 06: all cells run on the graph of the site', async () => {
     await cellOf(page, 12).locator('img.value-image').waitFor();
     await notebook.getByText('Python waits').waitFor();
     assert.match(await cellOf(page, 2).locator('.outputs').innerText(), /^'lab'$/);
-    assert.equal((await cellOf(page, 8).locator('.outputs').innerText()).trim(), 'topic_a said hello a\ntopic_b said hello b\ntopic_c said relay heard hello a');
+    assert.equal((await cellOf(page, 8).locator('.outputs').innerText()).trim(),
+      'topic_a said hello a\ntopic_b said hello b\ntopic_c said relay heard hello a');
     assert.match(await cellOf(page, 10).locator('.outputs').innerText(), /^10$/);
     assert.deepEqual(await cellOf(page, 12).locator('.html tr').allInnerTexts(), ['topic\tmessages', 'topic_a\t5', 'topic_b\t0', 'topic_c\t5']);
     assert.equal(await cellOf(page, 11).locator('math mfrac').count(), 1);
     // A node of the site heard them.
     await page.getByText("heard: 'message 4'").first().waitFor();
-    await page.screenshot({ path: join(kOutput, 'notebook_light.png'), caret: 'initial' });
+    await page.screenshot({ path: join(OUTPUT, 'notebook_light.png'), caret: 'initial' });
     await page.emulateMedia({ colorScheme: 'dark' });
-    await page.screenshot({ path: join(kOutput, 'notebook_dark.png'), caret: 'initial' });
+    await page.screenshot({ path: join(OUTPUT, 'notebook_dark.png'), caret: 'initial' });
     await page.emulateMedia({ colorScheme: 'light' });
     await expectAccessible(page);
 
@@ -114,7 +115,7 @@ test('example 06: all cells run on the graph of the site', async () => {
     const menu = notebook.getByRole('button', { name: 'Notebook', exact: true });
     await menu.click();
     const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('menuitem', { name: 'Download .ipynb' }).click()]);
-    const file = JSON.parse(readFileSync(await download.path(), 'utf8')) as { readonly nbformat: number; readonly cells: readonly Record<string, unknown>[] };
+    const file = JSON.parse(readFileSync(await download.path(), 'utf8')) as { readonly nbformat: number; readonly cells: readonly Record<string, unknown>[]; };
     assert.equal(download.suggestedFilename(), 'lab.ipynb');
     assert.equal(file.nbformat, 4);
     assert.deepEqual(nbformatFaults(file), []);
@@ -167,7 +168,9 @@ test('on a page without shared memory: an image, a call of a service, input(), a
     await notebook.getByText('Python waits').waitFor();
     await notebook.getByRole('button', { name: 'Notebook', exact: true }).click();
     const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('menuitem', { name: 'Download .ipynb' }).click()]);
-    const file = JSON.parse(readFileSync(await download.path(), 'utf8')) as { readonly cells: readonly { readonly outputs?: readonly { readonly output_type: string }[] }[] };
+    const file = JSON.parse(readFileSync(await download.path(), 'utf8')) as {
+      readonly cells: readonly { readonly outputs?: readonly { readonly output_type: string; }[]; }[];
+    };
     assert.deepEqual(nbformatFaults(file), []);
     assert.deepEqual([...new Set(file.cells[11]?.outputs?.map((output) => output.output_type))].sort(), ['display_data', 'stream']);
   } finally {
@@ -179,10 +182,10 @@ test('on a page without shared memory: an image, a call of a service, input(), a
 test('the site of example 06 prints what its expected.txt says', async () => {
   const ran = await runCli(['run', site, '--for', '60s', '--until', 'waits for topic_a']);
   assert.equal(ran.code, 0, ran.errors);
-  for (const line of readFileSync(join(kExample, 'expected.txt'), 'utf8').trimEnd().split('\n')) assert.match(ran.output, new RegExp(line));
+  for (const line of readFileSync(join(EXAMPLE, 'expected.txt'), 'utf8').trimEnd().split('\n')) assert.match(ran.output, new RegExp(line));
 });
 
-const kBesideTerminal = `#layout=${encodeURIComponent(JSON.stringify({ row: ['notebook', 'terminal'], shown: 'notebook' }))}`;
+const BESIDE_TERMINAL = `#layout=${encodeURIComponent(JSON.stringify({ row: ['notebook', 'terminal'], shown: 'notebook' }))}`;
 
 // Compatibility, works: notebooks: `await client.call_async(...)`, services that a notebook answers, and `rclpy.spin(node)` until an
 // interrupt, after which `rclpy.init()` begins again
@@ -193,7 +196,7 @@ for (const isolated of played(false, true)) {
     const page = await context.newPage();
     page.setDefaultTimeout(120_000);
     try {
-      await page.goto(`${served.url}${kBesideTerminal}`);
+      await page.goto(`${served.url}${BESIDE_TERMINAL}`);
       const notebook = page.locator('#panel-notebook');
       await notebook.getByText('Python is not started').waitFor();
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
@@ -220,7 +223,8 @@ for (const isolated of played(false, true)) {
   });
 }
 
-const awaits = (round: string): string => `import rclpy
+const awaits = (round: string): string =>
+  `import rclpy
 from rcl_interfaces.srv import GetParameters
 if not rclpy.ok():
     rclpy.init()
@@ -230,7 +234,8 @@ client.wait_for_service()
 answer = await client.call_async(GetParameters.Request(names=['use_sim_time']))
 print('${round}: the relay has use_sim_time', answer.values[0].bool_value)`;
 
-const answers = (round: string): string => `from rcl_interfaces.msg import ParameterValue
+const answers = (round: string): string =>
+  `from rcl_interfaces.msg import ParameterValue
 def answer(request, response):
     response.values = [ParameterValue(type=4, string_value=f'{name} was asked for') for name in request.names]
     return response

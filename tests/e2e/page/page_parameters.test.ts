@@ -9,7 +9,7 @@ import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible, phone } from '../support/page_stage.ts';
 
 interface Robot {
-  readonly declared: ReadonlyMap<string, { readonly value: Readonly<Record<string, unknown>> }>;
+  readonly declared: ReadonlyMap<string, { readonly value: Readonly<Record<string, unknown>>; }>;
   change(name: string, value: unknown): void;
   remove(name: string): void;
   leave(): void;
@@ -22,14 +22,14 @@ declare global {
   var silent: Robot;
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 const scene = (layout: unknown = 'parameters'): string => `parameters#layout=${encodeURIComponent(JSON.stringify(layout))}`;
 
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
@@ -39,8 +39,11 @@ const has = (page: Page, name: string, text: string): Promise<unknown> =>
   page.waitForFunction(
     ([of, wanted]) => {
       const value = robot.declared.get(of)?.value ?? {};
-      return Object.entries(value).some(([field, own]) => field !== 'type' && (Array.isArray(own) || ArrayBuffer.isView(own)
-        ? Array.from(own as ArrayLike<unknown>).join('|') : String(own)) === wanted);
+      return Object.entries(value).some(([field, own]) =>
+        field !== 'type' && (Array.isArray(own) || ArrayBuffer.isView(own)
+            ? Array.from(own as ArrayLike<unknown>).join('|')
+            : String(own)) === wanted
+      );
     },
     [name, text] as const,
   );
@@ -117,7 +120,7 @@ test('what the node refuses is told with its reason, and the old value stays', (
     await row(page, 'speed').getByRole('alert').getByText('The node refused 3.5: speed must not be above 2.0').waitFor();
     await says(page, 'speed of /robot', '1.5');
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'parameters.png') });
+    await page.screenshot({ path: join(OUTPUT, 'parameters.png') });
     // A text that is not a number is not sent to the node, and stays to be corrected; Escape brings the value back.
     await speed.fill('fast');
     await speed.press('Enter');
@@ -218,6 +221,6 @@ for (const colorScheme of ['light', 'dark'] as const) {
       const over = await page.locator('.panel-parameters .panel-body').evaluate((body) => body.scrollWidth - body.clientWidth);
       assert.ok(over <= 0, `${over} px too wide`);
       await expectAccessible(page);
-      await page.screenshot({ path: join(kOutput, `parameters_phone_${colorScheme}.png`) });
+      await page.screenshot({ path: join(OUTPUT, `parameters_phone_${colorScheme}.png`) });
     }));
 }

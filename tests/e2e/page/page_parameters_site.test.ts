@@ -14,7 +14,8 @@ import { shows, withTabs } from '../support/site_tabs.ts';
 const watchdog = { timeout: 400_000 };
 const packed = packedInBrowser((workspace) => {
   workspace.copyPackages('command_robot');
-  workspace.addPythonPackage('tuned_py', { tuned: `import rclpy
+  workspace.addPythonPackage('tuned_py', {
+    tuned: `import rclpy
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 
@@ -39,7 +40,8 @@ class Tuned(Node):
 def main():
     rclpy.init()
     rclpy.spin(Tuned())
-` });
+`,
+  });
   workspace.write('workspace.yaml', `schema: 1
 name: parameters
 packages: [src/*]

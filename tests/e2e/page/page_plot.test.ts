@@ -20,8 +20,7 @@ before(async () => {
 
 after(() => stage.close());
 
-const withPanel = (panel: unknown): string =>
-  `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', panel], sizes: [1, 3], shown: 'plot' }))}`;
+const withPanel = (panel: unknown): string => `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', panel], sizes: [1, 3], shown: 'plot' }))}`;
 
 /** Publishes so many points of /sine once the panel listens. */
 async function play(page: Page, count: number, apartMs = 0): Promise<void> {
@@ -51,10 +50,10 @@ async function saved(page: Page, item: string): Promise<string> {
   return readFile(await file.path(), 'latin1');
 }
 
-const kPlot = { plot: { paths: ['/sine.value', '/sine.list[0]'], mode: 'time', seconds: 60 } };
+const PLOT = { plot: { paths: ['/sine.value', '/sine.list[0]'], mode: 'time', seconds: 60 } };
 
 test('a plot samples every message, and is saved as CSV, SVG and PNG', () =>
-  stage.on(withPanel(kPlot), {}, async (page) => {
+  stage.on(withPanel(PLOT), {}, async (page) => {
     await play(page, 1000);
     const values = page.locator('.path-value');
     await values.getByText('999', { exact: true }).waitFor();
@@ -86,7 +85,9 @@ test('a plot samples every message, and is saved as CSV, SVG and PNG', () =>
 
 test('a plot behind another tab has all that came since the page was opened, and draws nothing before', () =>
   stage.on(
-    `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { tabs: ['console', kPlot, { plot: { paths: [] } }, 'log'], front: 1 }], shown: 'console' }))}`,
+    `signals#layout=${
+      encodeURIComponent(JSON.stringify({ row: ['nodes', { tabs: ['console', PLOT, { plot: { paths: [] } }, 'log'], front: 1 }], shown: 'console' }))
+    }`,
     {},
     async (page) => {
       // It hears the topic though nobody has looked at it; the one without fields is not even loaded.
@@ -105,7 +106,7 @@ test('a plot behind another tab has all that came since the page was opened, and
   ));
 
 test('a part of time is chosen with the mouse', () =>
-  stage.on(withPanel(kPlot), {}, async (page) => {
+  stage.on(withPanel(PLOT), {}, async (page) => {
     await play(page, 100);
     const over = page.locator('.u-over');
     const box = (await over.boundingBox()) ?? assert.fail();
@@ -118,7 +119,7 @@ test('a part of time is chosen with the mouse', () =>
   }));
 
 /** Where the second series is drawn, in pixels of the canvas: it is red in the light theme. */
-async function drawn(page: Page): Promise<{ width: number; height: number; all: { width: number; height: number }; middle: number }> {
+async function drawn(page: Page): Promise<{ width: number; height: number; all: { width: number; height: number; }; middle: number; }> {
   // Two drawings later all that was asked for is there.
   await page.waitForTimeout(150);
   return page.evaluate(() => {
@@ -153,7 +154,7 @@ function plotOf(page: Page) {
  * The part of /sine.list[0] that the saved drawing shows: its height in values and its width in samples. The values rise by one
  * from sample to sample.
  */
-async function seen(page: Page): Promise<{ values: number; samples: number }> {
+async function seen(page: Page): Promise<{ values: number; samples: number; }> {
   // The changes by keys and pointer are drawn by then.
   await page.waitForTimeout(150);
   const path = /d="([^"]*)" fill="none" stroke="#b3261e"/.exec(await saved(page, 'Drawing (SVG)'))?.[1] ?? '';
@@ -168,7 +169,7 @@ function near(value: number, expected: number, what: string): void {
 }
 
 test('by keys: values at a moment, zoom of time and of values, and back', () =>
-  stage.on(withPanel({ plot: { ...kPlot.plot, seconds: 1 } }), {}, async (page) => {
+  stage.on(withPanel({ plot: { ...PLOT.plot, seconds: 1 } }), {}, async (page) => {
     await play(page, 120, 8);
     const plot = plotOf(page);
     await plot.focus();
@@ -214,7 +215,7 @@ test('by keys: values at a moment, zoom of time and of values, and back', () =>
   }));
 
 test('all values of messages that came at one moment are told', () =>
-  stage.on(withPanel({ plot: { ...kPlot.plot, seconds: 1 } }), {}, async (page) => {
+  stage.on(withPanel({ plot: { ...PLOT.plot, seconds: 1 } }), {}, async (page) => {
     await play(page, 3, 20);
     await page.evaluate(() => {
       const { now } = performance;
@@ -230,7 +231,7 @@ test('all values of messages that came at one moment are told', () =>
   }));
 
 test('by pointer: values under it, and a drag up and down chooses values', () =>
-  stage.on(withPanel({ plot: { ...kPlot.plot, seconds: 1 } }), {}, async (page) => {
+  stage.on(withPanel({ plot: { ...PLOT.plot, seconds: 1 } }), {}, async (page) => {
     await play(page, 120, 8);
     await page.getByRole('button', { name: 'Hold the drawing' }).click();
     const whole = await seen(page);
@@ -256,42 +257,46 @@ test('by pointer: values under it, and a drag up and down chooses values', () =>
   }));
 
 test('one field against another is a circle where it is one, with its values at each point', () =>
-  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other'], mode: 'xy', seconds: 3600 } }), { colorScheme: 'light', reducedMotion: 'reduce' }, async (page) => {
-    // 126 steps of 1/20 are once round. Apart, so that each is a moment of its own.
-    await play(page, 127, 5);
-    await page.locator('.path-value').first().getByText(String(Number(Math.sin(126 / 20).toPrecision(6))), { exact: true }).waitFor();
-    const ring = await drawn(page);
-    assert.ok(ring.width > 0.6 * ring.all.width && ring.height > 0.6 * ring.all.height, JSON.stringify(ring));
-    assert.equal(ring.middle, 0);
-    const svg = await saved(page, 'Drawing (SVG)');
-    assert.match(svg, />\/sine\.value<.*\/sine\.other/s);
-    const points = [...(/d="([^"]*)" fill="none" stroke="#b3261e"/.exec(svg)?.[1] ?? '').matchAll(/[ML]([\d.]+) ([\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)] as const);
-    assert.ok(points.length >= 127, String(points.length));
-    const middle = (axis: 0 | 1): readonly [number, number] => {
-      const values = points.map((point) => point[axis]);
-      const [least, most] = [Math.min(...values), Math.max(...values)];
-      return [(least + most) / 2, (most - least) / 2];
-    };
-    const [[cx, rx], [cy, ry]] = [middle(0), middle(1)];
-    for (const [x, y] of points.slice(-127)) {
-      const away = Math.hypot((x - cx) / rx, (y - cy) / ry);
-      assert.ok(Math.abs(away - 1) < 0.02, `${x} ${y}: ${away}`);
-    }
-    await plotOf(page).focus();
-    for (const key of ['ArrowRight', 'ArrowRight', 'PageDown']) {
-      await page.keyboard.press(key);
-      const away = Math.hypot(await valueBeside(page, 0), await valueBeside(page, 1));
-      assert.ok(Math.abs(away - 1) < 1e-4, String(away));
-    }
-    // The nearest point under the pointer: on the right, x is its most.
-    const box = (await page.locator('.u-over').boundingBox()) ?? assert.fail();
-    await page.mouse.move(box.x + box.width * 0.945, box.y + box.height / 2);
-    await page.waitForFunction(() => Number(document.querySelector('.path-value')?.textContent) > 0.98);
-    await page.mouse.move(5, 5);
-    await page.keyboard.press('-');
-    const small = await drawn(page);
-    assert.ok(Math.abs(small.width - ring.width / 1.5) < 0.06 * ring.width && Math.abs(small.height - ring.height / 1.5) < 0.06 * ring.height, JSON.stringify([ring, small]));
-  }));
+  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other'], mode: 'xy', seconds: 3600 } }), { colorScheme: 'light', reducedMotion: 'reduce' },
+    async (page) => {
+      // 126 steps of 1/20 are once round. Apart, so that each is a moment of its own.
+      await play(page, 127, 5);
+      await page.locator('.path-value').first().getByText(String(Number(Math.sin(126 / 20).toPrecision(6))), { exact: true }).waitFor();
+      const ring = await drawn(page);
+      assert.ok(ring.width > 0.6 * ring.all.width && ring.height > 0.6 * ring.all.height, JSON.stringify(ring));
+      assert.equal(ring.middle, 0);
+      const svg = await saved(page, 'Drawing (SVG)');
+      assert.match(svg, />\/sine\.value<.*\/sine\.other/s);
+      const points = [...(/d="([^"]*)" fill="none" stroke="#b3261e"/.exec(svg)?.[1] ?? '').matchAll(/[ML]([\d.]+) ([\d.]+)/g)].map(([, x, y]) =>
+        [Number(x), Number(y)] as const
+      );
+      assert.ok(points.length >= 127, String(points.length));
+      const middle = (axis: 0 | 1): readonly [number, number] => {
+        const values = points.map((point) => point[axis]);
+        const [least, most] = [Math.min(...values), Math.max(...values)];
+        return [(least + most) / 2, (most - least) / 2];
+      };
+      const [[cx, rx], [cy, ry]] = [middle(0), middle(1)];
+      for (const [x, y] of points.slice(-127)) {
+        const away = Math.hypot((x - cx) / rx, (y - cy) / ry);
+        assert.ok(Math.abs(away - 1) < 0.02, `${x} ${y}: ${away}`);
+      }
+      await plotOf(page).focus();
+      for (const key of ['ArrowRight', 'ArrowRight', 'PageDown']) {
+        await page.keyboard.press(key);
+        const away = Math.hypot(await valueBeside(page, 0), await valueBeside(page, 1));
+        assert.ok(Math.abs(away - 1) < 1e-4, String(away));
+      }
+      // The nearest point under the pointer: on the right, x is its most.
+      const box = (await page.locator('.u-over').boundingBox()) ?? assert.fail();
+      await page.mouse.move(box.x + box.width * 0.945, box.y + box.height / 2);
+      await page.waitForFunction(() => Number(document.querySelector('.path-value')?.textContent) > 0.98);
+      await page.mouse.move(5, 5);
+      await page.keyboard.press('-');
+      const small = await drawn(page);
+      assert.ok(Math.abs(small.width - ring.width / 1.5) < 0.06 * ring.width && Math.abs(small.height - ring.height / 1.5) < 0.06 * ring.height,
+        JSON.stringify([ring, small]));
+    }));
 
 test('fields are added by name or chosen, wrong ones are told, and the link has them', () =>
   stage.on('signals', {}, async (page) => {
@@ -338,7 +343,7 @@ test('states are bars that last until the next one', () =>
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in plot and timeline, ${colorScheme}`, () =>
     stage.on(
-      `signals#layout=${encodeURIComponent(JSON.stringify({ column: [kPlot, { timeline: { paths: ['/sine.mode', '/sine.big'] } }] }))}`,
+      `signals#layout=${encodeURIComponent(JSON.stringify({ column: [PLOT, { timeline: { paths: ['/sine.mode', '/sine.big'] } }] }))}`,
       { colorScheme, reducedMotion: 'reduce' },
       async (page) => {
         await play(page, 50);
@@ -349,16 +354,17 @@ for (const colorScheme of ['light', 'dark'] as const) {
 }
 
 test('fields stand beside each other, so that the drawing keeps its height', () =>
-  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other', '/sine.big', '/sine.list[0]'] } }), { viewport: { width: 1000, height: 500 } }, async (page) => {
-    await play(page, 50);
-    await page.locator('.path').nth(3).waitFor();
-    const rows = new Set(await page.locator('.path').evaluateAll((paths) => paths.map((path) => Math.round(path.getBoundingClientRect().top))));
-    assert.ok(rows.size <= 2, `${rows.size} rows`);
-    assert.ok(((await page.locator('.plot-canvas').boundingBox())?.height ?? 0) > 200);
-  }));
+  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other', '/sine.big', '/sine.list[0]'] } }), { viewport: { width: 1000, height: 500 } },
+    async (page) => {
+      await play(page, 50);
+      await page.locator('.path').nth(3).waitFor();
+      const rows = new Set(await page.locator('.path').evaluateAll((paths) => paths.map((path) => Math.round(path.getBoundingClientRect().top))));
+      assert.ok(rows.size <= 2, `${rows.size} rows`);
+      assert.ok(((await page.locator('.plot-canvas').boundingBox())?.height ?? 0) > 200);
+    }));
 
 test('plot and timeline fit a phone', () =>
-  stage.on(withPanel(kPlot), { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
+  stage.on(withPanel(PLOT), { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
     await play(page, 50);
     await page.locator('.plot-canvas canvas').waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);

@@ -7,13 +7,13 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible, phone } from '../support/page_stage.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
@@ -34,16 +34,16 @@ async function listen(page: Page, topic: string, type: string): Promise<void> {
   );
 }
 
-const got = (page: Page): Promise<number[]> => page.evaluate(() => (globalThis as unknown as { got: number[] }).got);
+const got = (page: Page): Promise<number[]> => page.evaluate(() => (globalThis as unknown as { got: number[]; }).got);
 const heard = (page: Page, most: number): Promise<unknown> =>
-  page.waitForFunction((count) => (globalThis as unknown as { got: number[] }).got.length >= count, most);
+  page.waitForFunction((count) => (globalThis as unknown as { got: number[]; }).got.length >= count, most);
 
 test('a form made from the type publishes once, and the same as YAML', () =>
   stage.on(scene(twist), {}, async (page) => {
     await listen(page, twist.topic, twist.type);
     const x = page.getByRole('textbox', { name: 'linear.x of /cmd_vel' });
     await x.fill('1.5');
-    await page.screenshot({ path: join(kOutput, 'publish.png') });
+    await page.screenshot({ path: join(OUTPUT, 'publish.png') });
     await page.getByRole('button', { name: 'Publish once' }).click();
     await heard(page, 1);
     await page.getByRole('button', { name: 'YAML' }).click();

@@ -4,7 +4,7 @@ import { after, before, test } from 'node:test';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { kSoftwareWebGl } from '../support/chromium.ts';
+import { SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { PageStage, expectAccessible, phone } from '../support/page_stage.ts';
 import { pixels } from '../support/scene_pixels.ts';
 
@@ -15,23 +15,23 @@ declare global {
   var goals: readonly unknown[];
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 let stage: PageStage;
 
 before(async () => {
-  stage = await PageStage.open(kSoftwareWebGl);
+  stage = await PageStage.open(SOFTWARE_WEB_GL);
 });
 
 after(() => stage.close());
 
 // Warnings of the software driver when a picture of the page is taken.
-const kDriver = /GL Driver Message|GPU stall/;
+const DRIVER = /GL Driver Message|GPU stall/;
 
 const withScene = (state: unknown): string =>
   `world#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { scene: state }], sizes: [1, 4], shown: 'scene' }))}`;
 
 function on(state: unknown, body: (page: Page) => Promise<void>): Promise<void> {
-  return stage.on(withScene(state), {}, body, kDriver);
+  return stage.on(withScene(state), {}, body, DRIVER);
 }
 
 type Vector = readonly [number, number, number];
@@ -53,8 +53,7 @@ async function frames(page: Page, transforms: readonly unknown[]): Promise<void>
   await publish(page, '/tf_static', 'tf2_msgs/msg/TFMessage', { transforms });
 }
 
-const drawings = (page: Page): Promise<number> =>
-  page.locator('.scene-canvas').evaluate((canvas) => Number(canvas.dataset['drawings'] ?? 0));
+const drawings = (page: Page): Promise<number> => page.locator('.scene-canvas').evaluate((canvas) => Number(canvas.dataset['drawings'] ?? 0));
 
 const tree = [transform('map', 'base', [1, 0, 0]), transform('base', 'laser', [0, 0, 0.5])];
 
@@ -89,7 +88,8 @@ test('the view turns, moves and zooms by mouse, wheel and keys, and is kept', ()
       const drawn = await drawings(page);
       await what();
       await page.waitForFunction(
-        (count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count, drawn,
+        (count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count,
+        drawn,
       );
       assert.notDeepEqual(await canvas.screenshot(), before);
     };
@@ -122,8 +122,12 @@ test('the view turns, moves and zooms by mouse, wheel and keys, and is kept', ()
 test('scenes of hostile frames neither hang nor throw, and say what is wrong', () =>
   on({ frame: 'nowhere' }, async (page) => {
     await frames(page, [
-      transform('b', 'a', [1, 0, 0]), transform('c', 'b', [1, 0, 0]), transform('a', 'c', [1, 0, 0]),
-      transform('x', 'x', [1, 0, 0]), transform('', 'y', [1, 0, 0]), transform('z', 'far', [1e300, 0, 0]),
+      transform('b', 'a', [1, 0, 0]),
+      transform('c', 'b', [1, 0, 0]),
+      transform('a', 'c', [1, 0, 0]),
+      transform('x', 'x', [1, 0, 0]),
+      transform('', 'y', [1, 0, 0]),
+      transform('z', 'far', [1e300, 0, 0]),
       transform('map', '<img src=x onerror="document.title=1">'.repeat(5), [1, 0, 0]),
       transform('map', 'n', [NaN, 0, 0]),
       ...Array.from({ length: 3000 }, (_, i) => transform(`f${i}`, `f${i + 1}`, [0.001, 0, 0])),
@@ -146,12 +150,12 @@ test('scenes of hostile frames neither hang nor throw, and say what is wrong', (
     await page.getByText('2 frames', { exact: true }).waitFor();
   }));
 
-const kColors = { r: 0, g: 0, b: 1, a: 1 };
+const COLORS = { r: 0, g: 0, b: 1, a: 1 };
 const still = { x: 0, y: 0, z: 0, w: 1 };
 const pose = (x: number, y: number, z = 0): unknown => ({ position: { x, y, z }, orientation: still });
 const header = (frame: string): unknown => ({ stamp: { sec: 1, nanosec: 0 }, frame_id: frame });
 
-const kRobot = `<?xml version="1.0"?>
+const ROBOT = `<?xml version="1.0"?>
 <robot name="arm">
   <material name="orange"><color rgba="1 0.5 0.1 1"/></material>
   <link name="base"><visual><geometry><cylinder radius="0.3" length="0.1"/></geometry><material name="orange"/></visual></link>
@@ -170,46 +174,86 @@ async function heardOnce(page: Page, topic: string, type: string, value: unknown
 }
 
 const inTheme = (page: Page, name: string): Promise<void> =>
-  page.evaluate((theme) => { document.documentElement.dataset['theme'] = theme; }, name);
+  page.evaluate((theme) => {
+    document.documentElement.dataset['theme'] = theme;
+  }, name);
 
 const marker = (id: number, type: number, more: object): unknown => ({
-  header: header('map'), ns: 'things', id, type, action: 0, pose: pose(-1 + id / 2, -1.5, 0.25), scale: { x: 0.3, y: 0.3, z: 0.3 },
-  color: kColors, lifetime: { sec: 0, nanosec: 0 }, frame_locked: false, points: [], colors: [], texture_resource: '',
-  texture: { header: header(''), format: '', data: [] }, uv_coordinates: [], text: '', mesh_resource: '',
-  mesh_file: { filename: '', data: [] }, mesh_use_embedded_materials: false, ...more,
+  header: header('map'),
+  ns: 'things',
+  id,
+  type,
+  action: 0,
+  pose: pose(-1 + id / 2, -1.5, 0.25),
+  scale: { x: 0.3, y: 0.3, z: 0.3 },
+  color: COLORS,
+  lifetime: { sec: 0, nanosec: 0 },
+  frame_locked: false,
+  points: [],
+  colors: [],
+  texture_resource: '',
+  texture: { header: header(''), format: '', data: [] },
+  uv_coordinates: [],
+  text: '',
+  mesh_resource: '',
+  mesh_file: { filename: '', data: [] },
+  mesh_use_embedded_materials: false,
+  ...more,
 });
 
 async function fillWorld(page: Page): Promise<void> {
   await frames(page, tree);
-  await publish(page, '/robot_description', 'std_msgs/msg/String', { data: kRobot });
+  await publish(page, '/robot_description', 'std_msgs/msg/String', { data: ROBOT });
   await publish(page, '/map', 'nav_msgs/msg/OccupancyGrid', {
     header: header('map'),
     info: { map_load_time: { sec: 0, nanosec: 0 }, resolution: 0.25, width: 16, height: 16, origin: pose(-2, -2, 0) },
     data: Array.from({ length: 256 }, (_, i) => (i < 16 || i % 16 === 0 ? 100 : i % 7 === 0 ? -1 : 0)),
   });
   await heardOnce(page, '/scan', 'sensor_msgs/msg/LaserScan', {
-    header: header('laser'), angle_min: -1, angle_max: 1, angle_increment: 0.01, time_increment: 0, scan_time: 0, range_min: 0.1,
-    range_max: 10, ranges: Array.from({ length: 200 }, (_, i) => 1.5 + Math.sin(i / 9) / 5), intensities: [],
+    header: header('laser'),
+    angle_min: -1,
+    angle_max: 1,
+    angle_increment: 0.01,
+    time_increment: 0,
+    scan_time: 0,
+    range_min: 0.1,
+    range_max: 10,
+    ranges: Array.from({ length: 200 }, (_, i) => 1.5 + Math.sin(i / 9) / 5),
+    intensities: [],
   });
   const points = Array.from({ length: 400 }, (_, i) => [Math.sin(i / 10), Math.cos(i / 10), i / 400] as const);
   await heardOnce(page, '/points', 'sensor_msgs/msg/PointCloud2', {
-    header: header('map'), height: 1, width: points.length, is_bigendian: false, point_step: 12, row_step: 12 * points.length, is_dense: true,
+    header: header('map'),
+    height: 1,
+    width: points.length,
+    is_bigendian: false,
+    point_step: 12,
+    row_step: 12 * points.length,
+    is_dense: true,
     fields: ['x', 'y', 'z'].map((name, index) => ({ name, offset: index * 4, datatype: 7, count: 1 })),
     data: [...new Uint8Array(Float32Array.from(points.flat()).buffer)],
   });
   await heardOnce(page, '/plan', 'nav_msgs/msg/Path', {
-    header: header('map'), poses: [[0, 0], [1, 1], [2, 1], [2, -1]].map(([x = 0, y = 0]) => ({ header: header('map'), pose: pose(x, y, 0.02) })),
+    header: header('map'),
+    poses: [[0, 0], [1, 1], [2, 1], [2, -1]].map(([x = 0, y = 0]) => ({ header: header('map'), pose: pose(x, y, 0.02) })),
   });
   await heardOnce(page, '/odom', 'nav_msgs/msg/Odometry', {
-    header: header('map'), child_frame_id: 'base', pose: { pose: pose(1, 0), covariance: Array(36).fill(0) },
+    header: header('map'),
+    child_frame_id: 'base',
+    pose: { pose: pose(1, 0), covariance: Array(36).fill(0) },
     twist: { twist: { linear: { x: 0, y: 0, z: 0 }, angular: { x: 0, y: 0, z: 0 } }, covariance: Array(36).fill(0) },
   });
   await heardOnce(page, '/particles', 'geometry_msgs/msg/PoseArray', {
-    header: header('map'), poses: Array.from({ length: 30 }, (_, i) => pose(-1 - (i % 6) / 5, 1 + Math.floor(i / 6) / 5)),
+    header: header('map'),
+    poses: Array.from({ length: 30 }, (_, i) => pose(-1 - (i % 6) / 5, 1 + Math.floor(i / 6) / 5)),
   });
   await heardOnce(page, '/markers', 'visualization_msgs/msg/MarkerArray', {
     markers: [
-      marker(0, 0, {}), marker(1, 1, {}), marker(2, 2, {}), marker(3, 3, {}), marker(4, 9, { text: '<b>goal</b>' }),
+      marker(0, 0, {}),
+      marker(1, 1, {}),
+      marker(2, 2, {}),
+      marker(3, 3, {}),
+      marker(4, 9, { text: '<b>goal</b>' }),
       marker(5, 4, { pose: pose(0, 0), scale: { x: 0.05, y: 0, z: 0 }, points: [[0, 2, 0], [1, 2, 1], [2, 2, 0]].map(([x, y, z]) => ({ x, y, z })) }),
     ],
   });
@@ -223,14 +267,15 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
     await page.waitForFunction(() => document.querySelectorAll('.scene-problem').length === 1);
     const boxes = panel.locator('.scene-topics input');
     assert.equal(await boxes.count(), 8);
-    const all = await panel.locator('.scene-canvas').screenshot({ path: `${kOutput}/scene.png` });
+    const all = await panel.locator('.scene-canvas').screenshot({ path: `${OUTPUT}/scene.png` });
     // Markers and particles alone are blue; without them much less is.
     const blue = await pixels(page, 'blue');
     const redrawn = async (what: () => Promise<void>): Promise<void> => {
       const drawn = await drawings(page);
       await what();
       await page.waitForFunction(
-        (count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count, drawn,
+        (count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count,
+        drawn,
       );
     };
     // Messages that came once stay drawn when other topics go and come, and in other colours.
@@ -268,20 +313,34 @@ test('what cannot be drawn is said beside its topic', () =>
     await frames(page, [...tree, transform('moon', 'crater', [0, 0, 0])]);
     await publish(page, '/robot_description', 'std_msgs/msg/String', { data: '<robot><link></robot>' });
     await publish(page, '/map', 'nav_msgs/msg/OccupancyGrid', {
-      header: header('map'), info: { map_load_time: { sec: 0, nanosec: 0 }, resolution: 1, width: 4000000000, height: 9, origin: pose(0, 0) }, data: [1],
+      header: header('map'),
+      info: { map_load_time: { sec: 0, nanosec: 0 }, resolution: 1, width: 4000000000, height: 9, origin: pose(0, 0) },
+      data: [1],
     });
-    await heardOnce(page, '/plan', 'nav_msgs/msg/Path', { header: header('crater'), poses: [{ header: header(''), pose: pose(1, 1) }, { header: header(''), pose: pose(2, 1) }] });
+    await heardOnce(page, '/plan', 'nav_msgs/msg/Path', {
+      header: header('crater'),
+      poses: [{ header: header(''), pose: pose(1, 1) }, { header: header(''), pose: pose(2, 1) }],
+    });
     await heardOnce(page, '/odom', 'nav_msgs/msg/Odometry', {
-      header: header('nowhere'), child_frame_id: '', pose: { pose: pose(1, 0), covariance: Array(36).fill(0) },
+      header: header('nowhere'),
+      child_frame_id: '',
+      pose: { pose: pose(1, 0), covariance: Array(36).fill(0) },
       twist: { twist: { linear: { x: 0, y: 0, z: 0 }, angular: { x: 0, y: 0, z: 0 } }, covariance: Array(36).fill(0) },
     });
-    for (const words of [
-      'no robot description: the text is not XML', 'its cells do not fit its size', 'no transform from crater to map', 'no transform says where nowhere is',
-    ])
+    for (
+      const words of [
+        'no robot description: the text is not XML',
+        'its cells do not fit its size',
+        'no transform from crater to map',
+        'no transform says where nowhere is',
+      ]
+    )
       await page.locator('.scene-problem').getByText(words, { exact: true }).waitFor();
     await publish(page, '/robot_description', 'std_msgs/msg/String', { data: '<html/>' });
     await page.getByText('no robot description: it has no robot').waitFor();
-    const entities = `<!DOCTYPE r [<!ENTITY a "${'x'.repeat(1000)}">${Array.from({ length: 9 }, (_, i) => `<!ENTITY a${i} "${`&a${i === 0 ? '' : i - 1};`.repeat(10)}">`).join('')}]><robot name="&a8;"/>`;
+    const entities = `<!DOCTYPE r [<!ENTITY a "${'x'.repeat(1000)}">${
+      Array.from({ length: 9 }, (_, i) => `<!ENTITY a${i} "${`&a${i === 0 ? '' : i - 1};`.repeat(10)}">`).join('')
+    }]><robot name="&a8;"/>`;
     await publish(page, '/robot_description', 'std_msgs/msg/String', { data: entities });
     await page.getByText('no robot description: the text is not XML').waitFor();
   }));
@@ -298,7 +357,7 @@ test('robots are read under Trusted Types without a policy', () =>
     await page.locator('.scene-canvas').waitFor();
     await fillWorld(page);
     await page.getByText('the site has no file share/arm/hand.stl (R2W0743)').waitFor();
-  }, kDriver));
+  }, DRIVER));
 
 test('a goal is set with the pointer or by keys, in the fixed frame', () =>
   on({ view: { top: true } }, async (page) => {
@@ -315,9 +374,12 @@ test('a goal is set with the pointer or by keys, in the fixed frame', () =>
     await page.mouse.up();
     await page.locator('.scene-said').getByText(/^Goal published: -?0\.\d\d, -?0\.\d\d, 90\u00b0$/).waitFor();
     await page.waitForFunction(() => goals.length === 1);
-    const goal = await page.evaluate(() => JSON.parse(JSON.stringify(goals[0])) as {
-      header: { frame_id: string }; pose: { position: { x: number; y: number }; orientation: { z: number; w: number } };
-    });
+    const goal = await page.evaluate(() =>
+      JSON.parse(JSON.stringify(goals[0])) as {
+        header: { frame_id: string; };
+        pose: { position: { x: number; y: number; }; orientation: { z: number; w: number; }; };
+      }
+    );
     assert.equal(goal.header.frame_id, 'map');
     assert.ok(Math.hypot(goal.pose.position.x, goal.pose.position.y) < 0.05, JSON.stringify(goal));
     assert.ok(Math.abs(goal.pose.orientation.z - Math.SQRT1_2) < 0.01 && Math.abs(goal.pose.orientation.w - Math.SQRT1_2) < 0.01);
@@ -335,7 +397,8 @@ test('odometry leaves a trail as long as is kept, and a covariance an ellipse', 
       const covariance = Array.from({ length: 36 }, (_, i) => (i === 0 || i === 7 ? variance : 0));
       const none = { x: 0, y: 0, z: 0 };
       await publish(page, '/odom', 'nav_msgs/msg/Odometry', {
-        header: { stamp: { sec: 1, nanosec: 0 }, frame_id: 'map' }, child_frame_id: 'base',
+        header: { stamp: { sec: 1, nanosec: 0 }, frame_id: 'map' },
+        child_frame_id: 'base',
         pose: { pose: { position: { x, y: 0, z: 0 }, orientation: { ...none, w: 1 } }, covariance },
         twist: { twist: { linear: none, angular: none }, covariance: Array.from({ length: 36 }, () => 0) },
       });
@@ -356,7 +419,7 @@ test('odometry leaves a trail as long as is kept, and a covariance an ellipse', 
     const plain = await canvas.screenshot();
     await odometry(1, 0.25);
     while ((await canvas.screenshot()).equals(plain));
-    await canvas.screenshot({ path: join(kOutput, 'scene_odometry.png') });
+    await canvas.screenshot({ path: join(OUTPUT, 'scene_odometry.png') });
   }));
 
 test('an .rviz file says what is shown', () =>
@@ -411,7 +474,7 @@ test('a picture that was coarse while things moved is scaled smoothly, and fades
     await slow.send('Emulation.setCPUThrottlingRate', { rate: 1 });
     // One more picture, which is a coarse one.
     await publish(page, '/tf', 'tf2_msgs/msg/TFMessage', { transforms: [transform('map', 'arm', [0, 0, 9], 0, 1e6)] });
-    await page.waitForFunction(() => (globalThis as unknown as { faded: number }).faded > 0);
+    await page.waitForFunction(() => (globalThis as unknown as { faded: number; }).faded > 0);
     await page.waitForFunction(() => {
       const element = document.querySelector<HTMLCanvasElement>('.scene-canvas');
       const veil = document.querySelector<HTMLCanvasElement>('.scene-veil');
@@ -430,8 +493,8 @@ test('on a phone each icon of the 3D view has its word', () =>
     const words = await page.locator('.panel-scene .panel-tools .icon-button').allInnerTexts();
     assert.ok(words.length > 8 && words.every((text) => text.trim() !== ''), words.join('|'));
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'scene_phone.png') });
-  }, kDriver));
+    await page.screenshot({ path: join(OUTPUT, 'scene_phone.png') });
+  }, DRIVER));
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the 3D view, on a phone too, ${colorScheme}`, () =>
@@ -445,7 +508,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await expectAccessible(page);
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
       assert.ok(((await page.locator('.scene-canvas').boundingBox())?.height ?? 0) >= 150);
-    }, kDriver));
+    }, DRIVER));
 }
 
 test('without WebGL the panel says so', async () => {
@@ -454,7 +517,7 @@ test('without WebGL the panel says so', async () => {
     await plain.on(withScene(null), phone, async (page) => {
       await page.getByRole('alert').getByText('gives the page no WebGL').waitFor();
       await expectAccessible(page);
-    }, kDriver);
+    }, DRIVER);
   } finally {
     await plain.close();
   }

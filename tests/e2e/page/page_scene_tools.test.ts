@@ -4,28 +4,28 @@ import { after, before, test } from 'node:test';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { kSoftwareWebGl } from '../support/chromium.ts';
+import { SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { PageStage, expectAccessible } from '../support/page_stage.ts';
 import { pixels } from '../support/scene_pixels.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 // Warnings of the software driver when a picture of the page is taken.
-const kDriver = /GL Driver Message|GPU stall/;
+const DRIVER = /GL Driver Message|GPU stall/;
 let stage: PageStage;
 
 before(async () => {
-  stage = await PageStage.open(kSoftwareWebGl);
+  stage = await PageStage.open(SOFTWARE_WEB_GL);
 });
 
 after(() => stage.close());
 
 function on(state: unknown, body: (page: Page) => Promise<void>): Promise<void> {
   const layout = encodeURIComponent(JSON.stringify({ row: ['nodes', { scene: state }], sizes: [1, 4], shown: 'scene' }));
-  return stage.on(`world#layout=${layout}`, {}, body, kDriver);
+  return stage.on(`world#layout=${layout}`, {}, body, DRIVER);
 }
 
 const header = (frame: string): unknown => ({ stamp: { sec: 1, nanosec: 0 }, frame_id: frame });
-const kTop = { view: { top: true }, grid: false, frames: false, names: false };
+const TOP = { view: { top: true }, grid: false, frames: false, names: false };
 
 /** Again and again until the page has it: volatile messages find who listens. */
 async function tell(page: Page, topic: string, type: string, value: unknown): Promise<void> {
@@ -52,11 +52,16 @@ const drawings = (page: Page): Promise<number> => page.locator('.scene-canvas').
 
 const told = (page: Page, count: number): Promise<unknown> => page.waitForFunction((wanted) => goals.length === wanted, count);
 const goal = (page: Page, index: number): Promise<Record<string, unknown>> =>
-  page.evaluate((at) => JSON.parse(JSON.stringify(goals[at], (_, value: unknown) => (ArrayBuffer.isView(value) ? [...(value as Float64Array)] : value))) as Record<string, unknown>, index);
+  page.evaluate(
+    (at) =>
+      JSON.parse(JSON.stringify(goals[at], (_, value: unknown) => (ArrayBuffer.isView(value) ? [...(value as Float64Array)] : value))) as Record<string,
+        unknown>,
+    index,
+  );
 
 // Compatibility, works: RViz's tools 2D Goal Pose, 2D Pose Estimate (with its covariance) and Publish Point, by mouse and keys
-test('the pose is estimated with RViz\'s covariance, and points are published, by mouse and by keys', () =>
-  on(kTop, async (page) => {
+test("the pose is estimated with RViz's covariance, and points are published, by mouse and by keys", () =>
+  on(TOP, async (page) => {
     await mapFrame(page);
     const canvas = page.locator('.scene-canvas');
     await page.getByRole('button', { name: 'Estimate the pose: publishes on /initialpose' }).click();
@@ -69,7 +74,8 @@ test('the pose is estimated with RViz\'s covariance, and points are published, b
     await page.locator('.scene-said').getByText(/^Estimate published: -?0\.\d\d, -?0\.\d\d, -?180\u00b0$/).waitFor();
     await told(page, 1);
     const { header: { frame_id: frame }, pose } = await goal(page, 0) as {
-      header: { frame_id: string }; pose: { pose: { orientation: { z: number } }; covariance: readonly number[] };
+      header: { frame_id: string; };
+      pose: { pose: { orientation: { z: number; }; }; covariance: readonly number[]; };
     };
     assert.equal(frame, 'map');
     assert.ok(Math.abs(Math.abs(pose.pose.orientation.z) - 1) < 0.01);
@@ -85,7 +91,7 @@ test('the pose is estimated with RViz\'s covariance, and points are published, b
     await page.getByText('Press on a place.').waitFor();
     await page.mouse.click(...await middle(page));
     await told(page, 3);
-    const { point } = await goal(page, 2) as { point: { x: number; y: number; z: number } };
+    const { point } = await goal(page, 2) as { point: { x: number; y: number; z: number; }; };
     assert.ok(Math.hypot(point.x, point.y, point.z) < 0.05, JSON.stringify(point));
     await canvas.press('Enter');
     await told(page, 4);
@@ -96,14 +102,20 @@ async function cloud(page: Page): Promise<void> {
   const points: (readonly [number, number, number, number])[] = Array.from({ length: 200 }, (_, i) => [Math.cos(i), Math.sin(i), 0.5, i]);
   points.push([0, 0, 0.25, 42]);
   await tell(page, '/points', 'sensor_msgs/msg/PointCloud2', {
-    header: header('map'), height: 1, width: points.length, is_bigendian: false, point_step: 16, row_step: 16 * points.length, is_dense: true,
+    header: header('map'),
+    height: 1,
+    width: points.length,
+    is_bigendian: false,
+    point_step: 16,
+    row_step: 16 * points.length,
+    is_dense: true,
     fields: ['x', 'y', 'z', 'ring'].map((name, index) => ({ name, offset: index * 4, datatype: 7, count: 1 })),
     data: [...new Uint8Array(Float32Array.from(points.flat()).buffer)],
   });
 }
 
 test('what is pressed on says its topic, frame, stamp and values, and so does the list; two points are measured', () =>
-  on(kTop, async (page) => {
+  on(TOP, async (page) => {
     await mapFrame(page);
     await cloud(page);
     const canvas = page.locator('.scene-canvas');
@@ -116,7 +128,7 @@ test('what is pressed on says its topic, frame, stamp and values, and so does th
     for (const part of ['/points (sensor_msgs/msg/PointCloud2)', 'Frame map', 'Stamp 1.000000', 'ring 42', 'point 200', '0.250'])
       assert.ok(words.includes(part), `${part} in ${words}`);
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'scene_details.png') });
+    await page.screenshot({ path: join(OUTPUT, 'scene_details.png') });
     await page.getByRole('button', { name: 'Close the details' }).click();
     // By keys: the middle of the picture.
     await canvas.press('Enter');
@@ -135,17 +147,17 @@ test('what is pressed on says its topic, frame, stamp and values, and so does th
     await page.mouse.click(nextX + perMetre * 2, nextY + perMetre * 1.5);
     const said = await page.locator('.scene-said').getByText(/ m; along the axes /).innerText();
     assert.ok(Math.abs(Number.parseFloat(said) - 2) < 0.03, said);
-    await page.screenshot({ path: join(kOutput, 'scene_measure.png') });
+    await page.screenshot({ path: join(OUTPUT, 'scene_measure.png') });
   }));
 
 test('the view goes with a frame', () =>
-  on({ ...kTop, frames: true, follow: 'base' }, async (page) => {
+  on({ ...TOP, frames: true, follow: 'base' }, async (page) => {
     await mapFrame(page);
     await page.getByRole('button', { name: 'Publish a point' }).click();
     await page.getByText('Press on a place.').waitFor();
     await page.mouse.click(...await middle(page));
     await told(page, 1);
-    const { point } = await goal(page, 0) as { point: { x: number } };
+    const { point } = await goal(page, 0) as { point: { x: number; }; };
     assert.ok(Math.abs(point.x - 1) < 0.05, JSON.stringify(point));
     const before = await drawings(page);
     await page.getByRole('combobox', { name: 'The view goes with' }).selectOption('');
@@ -154,11 +166,11 @@ test('the view goes with a frame', () =>
     for (let seen = -1; seen !== await drawings(page); await page.waitForTimeout(100)) seen = await drawings(page);
     await page.mouse.click(...await middle(page));
     await told(page, 2);
-    assert.ok(Math.abs((await goal(page, 1) as { point: { x: number } }).point.x) < 0.05);
+    assert.ok(Math.abs((await goal(page, 1) as { point: { x: number; }; }).point.x) < 0.05);
   }));
 
 test('points get the size and colour that are set, which a link carries', () =>
-  on(kTop, async (page) => {
+  on(TOP, async (page) => {
     await mapFrame(page);
     await cloud(page);
     const settings = page.getByRole('button', { name: 'How /points looks' });
@@ -172,7 +184,7 @@ test('points get the size and colour that are set, which a link carries', () =>
     await group.getByRole('spinbutton', { name: 'Size of points, in pixels' }).press('Enter');
     while ((await pixels(page, 'green')) < small * 2);
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'scene_settings.png') });
+    await page.screenshot({ path: join(OUTPUT, 'scene_settings.png') });
     await page.reload();
     await settings.click();
     assert.equal(await group.getByRole('spinbutton', { name: 'Size of points, in pixels' }).inputValue(), '9');
@@ -182,11 +194,17 @@ test('points get the size and colour that are set, which a link carries', () =>
   }));
 
 test('a map takes updates, and has the colours of costmaps', () =>
-  on({ ...kTop, looks: { '/map': { scheme: 'costmap', alpha: 1 } } }, async (page) => {
+  on({ ...TOP, looks: { '/map': { scheme: 'costmap', alpha: 1 } } }, async (page) => {
     await mapFrame(page);
     await page.evaluate((message) => globalThis.send('/map', 'nav_msgs/msg/OccupancyGrid', message), {
       header: header('map'),
-      info: { map_load_time: { sec: 0, nanosec: 0 }, resolution: 0.25, width: 8, height: 8, origin: { position: { x: -1, y: -1, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } } },
+      info: {
+        map_load_time: { sec: 0, nanosec: 0 },
+        resolution: 0.25,
+        width: 8,
+        height: 8,
+        origin: { position: { x: -1, y: -1, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } },
+      },
       data: Array.from({ length: 64 }, () => 0),
     });
     const update = (cost: number): unknown => ({ header: header('map'), x: 2, y: 2, width: 4, height: 4, data: Array.from({ length: 16 }, () => cost) });
@@ -203,7 +221,12 @@ test('pictures stand over the view in three sizes, by keys too, and problems are
     const picture = page.locator('.scene-image');
     await picture.getByText('waits for a picture').waitFor();
     await tell(page, '/camera', 'sensor_msgs/msg/Image', {
-      header: header('camera'), height: 30, width: 40, encoding: 'rgb8', is_bigendian: 0, step: 120,
+      header: header('camera'),
+      height: 30,
+      width: 40,
+      encoding: 'rgb8',
+      is_bigendian: 0,
+      step: 120,
       data: Array.from({ length: 3600 }, (_, i) => (i % 3 === 0 ? 255 : 20)),
     });
     await page.getByRole('img', { name: /^Picture of \/camera, 40/ }).waitFor();
@@ -219,7 +242,7 @@ test('pictures stand over the view in three sizes, by keys too, and problems are
     await page.locator('.scene-troubles').getByText('/robot_description: no robot description: it has no robot').waitFor();
     await page.locator('.scene-troubles').getByText('1 problem', { exact: true }).waitFor();
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'scene_images.png') });
+    await page.screenshot({ path: join(OUTPUT, 'scene_images.png') });
     // A picture as it is sent by cameras with little bandwidth, chosen from the list.
     await page.getByRole('button', { name: 'What is shown', exact: true }).click();
     await page.getByRole('checkbox', { name: '/camera/compressed' }).check();
@@ -236,13 +259,16 @@ test('pictures stand over the view in three sizes, by keys too, and problems are
 
 test('what stands in for rviz2 and joint_state_publisher_gui is open at first, as the file says', () =>
   stage.on('world', {}, async (page) => {
-    await page.route('**/share/meshes/view.rviz', (route) => route.fulfill({ body: `Visualization Manager:
+    await page.route('**/share/meshes/view.rviz', (route) =>
+      route.fulfill({
+        body: `Visualization Manager:
   Displays:
     - {Class: rviz_default_plugins/Image, Enabled: true, Name: Camera, Topic: {Value: /camera}}
   Global Options: {Fixed Frame: odom}
-` }));
+`,
+      }));
     await page.reload();
     await page.locator('.panel-joints').getByText('Waits for a robot description').waitFor();
     await page.locator('.scene-image').getByText('/camera', { exact: true }).waitFor();
     assert.equal(await page.getByRole('combobox', { name: 'Fixed frame' }).inputValue(), 'odom');
-  }, kDriver));
+  }, DRIVER));

@@ -13,20 +13,20 @@ declare global {
   var hush: (on: boolean) => void;
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
-const kScene = `services#layout=${encodeURIComponent(JSON.stringify('services'))}`;
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
+const SCENE = `services#layout=${encodeURIComponent(JSON.stringify('services'))}`;
 
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
 
 test('a call shows its reply, which stays when the server has gone', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     assert.equal(await page.getByText('/server/get_parameters').count(), 0);
     await page.getByRole('button', { name: /^\/add demo\/srv\/Add/ }).click();
     await page.getByRole('textbox', { name: 'a of /add' }).fill('9007199254740993');
@@ -35,7 +35,7 @@ test('a call shows its reply, which stays when the server has gone', () =>
     const reply = page.getByRole('group', { name: 'Reply of /add' });
     await reply.getByText('9007199254740997').waitFor();
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'services.png') });
+    await page.screenshot({ path: join(OUTPUT, 'services.png') });
     await page.evaluate(() => leave());
     await page.getByText('its server has gone').waitFor();
     await reply.getByText('9007199254740997').waitFor();
@@ -45,7 +45,7 @@ test('a call shows its reply, which stays when the server has gone', () =>
   }));
 
 test('a call that is given up is not a problem, and another one can be made', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await page.getByRole('button', { name: /^\/add demo\/srv\/Add/ }).click();
     await page.getByRole('textbox', { name: 'a of /add' }).fill('1');
     await page.evaluate(() => hush(true));
@@ -60,7 +60,7 @@ test('a call that is given up is not a problem, and another one can be made', ()
   }));
 
 test('a goal shows its feedback, is canceled, and shows its result', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await page.getByRole('button', { name: /^\/count demo\/action\/Count/ }).click();
     await page.getByRole('textbox', { name: 'to of /count' }).fill('5');
     await page.getByRole('button', { name: 'Send goal' }).click();
@@ -72,7 +72,7 @@ test('a goal shows its feedback, is canceled, and shows its result', () =>
   }));
 
 test('a phone shows the form of a service', () =>
-  stage.on(kScene, { ...phone, colorScheme: 'dark' }, async (page) => {
+  stage.on(SCENE, { ...phone, colorScheme: 'dark' }, async (page) => {
     await page.getByRole('button', { name: /^\/add demo\/srv\/Add/ }).click();
     await page.getByRole('textbox', { name: 'a of /add' }).waitFor();
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth), false);

@@ -7,20 +7,20 @@ import { fileURLToPath } from 'node:url';
 import { PageStage, expectAccessible, phone } from '../support/page_stage.ts';
 import type { FakeTasks } from '../../unit/ui/fake_session.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
-const kScene = `tasks#layout=${encodeURIComponent(JSON.stringify({ row: ['tasks', 'console'], sizes: [1, 1] }))}`;
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
+const SCENE = `tasks#layout=${encodeURIComponent(JSON.stringify({ row: ['tasks', 'console'], sizes: [1, 1] }))}`;
 
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
 
 test('a task says what is seen, shows its hint and then its solution, and is kept when it is done', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     const rows = page.locator('.task');
     await rows.nth(2).waitFor();
     await page.getByText('0 of 3 tasks done').waitFor();
@@ -35,7 +35,7 @@ test('a task says what is seen, shows its hint and then its solution, and is kep
     await page.keyboard.press('Tab');
     await page.keyboard.press('Enter');
     await page.getByRole('group', { name: 'Solution: Drive the turtle' }).getByText('ros2 topic pub').waitFor();
-    await page.screenshot({ path: join(kOutput, 'tasks.png') });
+    await page.screenshot({ path: join(OUTPUT, 'tasks.png') });
     await expectAccessible(page);
     // A link in a task acts as in the lab sheet.
     await page.locator('.task .text-action').click();
@@ -44,7 +44,9 @@ test('a task says what is seen, shows its hint and then its solution, and is kep
       const tasks = fake.tasks as FakeTasks;
       tasks.acted();
       tasks.set(tasks.views().map((view, at) => (at > 0 ? view : {
-        ...view, done: true, checks: view.checks.map((check) => ({ ...check, state: 'passed' as const, seen: '9.1' })),
+        ...view,
+        done: true,
+        checks: view.checks.map((check) => ({ ...check, state: 'passed' as const, seen: '9.1' })),
       })));
     });
     await page.getByText('1 of 3 tasks done').waitFor();
@@ -65,7 +67,7 @@ test('a task says what is seen, shows its hint and then its solution, and is kep
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, () =>
-    stage.on(kScene, { colorScheme }, async (page) => {
+    stage.on(SCENE, { colorScheme }, async (page) => {
       await page.locator('.task').nth(2).waitFor();
       await expectAccessible(page);
     }));

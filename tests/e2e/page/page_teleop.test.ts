@@ -15,7 +15,7 @@ declare global {
   var arrive: (node: string, topic: string, type: string) => void;
 }
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 type Place = readonly [x: number, y: number];
 
 const scene = (state: unknown = {}): string => `teleop#layout=${encodeURIComponent(JSON.stringify({ teleop: state }))}`;
@@ -24,7 +24,7 @@ let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
@@ -50,15 +50,17 @@ async function stopped(page: Page, topic = '/turtle1/cmd_vel'): Promise<void> {
   await page.getByText('at rest, nothing is sent').waitFor();
   const before = await page.evaluate(() => driven.length);
   // As long as some messages would have taken, by the timers that would have sent them.
-  await page.evaluate(() => new Promise<void>((done) => {
-    let rings = 0;
-    const timer = fake.node().timer(20, () => {
-      rings += 1;
-      if (rings < 15) return;
-      timer.close();
-      done();
-    });
-  }));
+  await page.evaluate(() =>
+    new Promise<void>((done) => {
+      let rings = 0;
+      const timer = fake.node().timer(20, () => {
+        rings += 1;
+        if (rings < 15) return;
+        timer.close();
+        done();
+      });
+    })
+  );
   const all = await page.evaluate(() => driven);
   assert.equal(all.length, before, 'it is silent');
   assert.equal(all.filter(({ linear, angular }) => linear === 0 && angular === 0).length, 1, 'one zero');
@@ -80,7 +82,7 @@ test('keys drive while they are held, together too, and only in the pad', () =>
     await page.keyboard.down('a');
     await hears(page, 2, 1.5);
     await page.getByText('2.00\u00a0m/s, 1.50\u00a0rad/s').waitFor();
-    await page.screenshot({ path: join(kOutput, 'teleop.png') });
+    await page.screenshot({ path: join(OUTPUT, 'teleop.png') });
     await expectAccessible(page);
     await page.keyboard.up('ArrowUp');
     await hears(page, 0, 1.5);
@@ -177,14 +179,13 @@ test('a finger drives by the pad and scrolls nothing; it is let go when it is li
   stage.on(scene({ linear: 1, angular: 1, rate: 50 }), { viewport: { width: 360, height: 480 }, hasTouch: true, isMobile: true }, async (page) => {
     await ready(page);
     const devtools = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', ...touchPoints: { x: number; y: number }[]) =>
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', ...touchPoints: { x: number; y: number; }[]) =>
       devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
     const slide = async ([fromX, fromY]: Place, [toX, toY]: Place): Promise<void> => {
       for (let part = 1; part <= 8; part += 1)
         await touch('touchMove', { x: fromX + ((toX - fromX) * part) / 8, y: fromY + ((toY - fromY) * part) / 8 });
     };
-    const scrolled = (): Promise<number> =>
-      page.evaluate(() => [...document.querySelectorAll('*')].reduce((sum, { scrollTop }) => sum + scrollTop, 0));
+    const scrolled = (): Promise<number> => page.evaluate(() => [...document.querySelectorAll('*')].reduce((sum, { scrollTop }) => sum + scrollTop, 0));
     // This page scrolls under a finger, where it is not on the pad.
     const body = (await page.locator('.panel-teleop .panel-body').boundingBox()) ?? assert.fail();
     const top = body.y + 30;
@@ -279,6 +280,6 @@ for (const colorScheme of ['light', 'dark'] as const) {
       const over = await page.locator('.panel-teleop .panel-body').evaluate((body) => body.scrollWidth - body.clientWidth);
       assert.ok(over <= 0, `${over} px too wide`);
       await expectAccessible(page);
-      await page.screenshot({ path: join(kOutput, `teleop_phone_${colorScheme}.png`) });
+      await page.screenshot({ path: join(OUTPUT, `teleop_phone_${colorScheme}.png`) });
     }));
 }

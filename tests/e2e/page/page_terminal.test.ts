@@ -19,8 +19,8 @@ before(async () => {
 
 after(() => stage.close());
 
-const kScene = `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', 'terminal'], sizes: [1, 3], shown: 'terminal' }))}`;
-const kSine = { value: 0.5, other: 1, list: [1, 2], mode: 'idle', big: 7 };
+const SCENE = `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', 'terminal'], sizes: [1, 3], shown: 'terminal' }))}`;
+const SINE = { value: 0.5, other: 1, list: [1, 2], mode: 'idle', big: 7 };
 
 function command(page: Page) {
   return page.getByRole('textbox', { name: 'Command' });
@@ -37,10 +37,10 @@ function output(page: Page) {
   return page.getByRole('log', { name: 'Output of the commands' });
 }
 
-const speak = (page: Page, value: unknown = kSine): Promise<void> => page.evaluate((message) => send('/sine', 'demo/msg/Sine', message), value);
+const speak = (page: Page, value: unknown = SINE): Promise<void> => page.evaluate((message) => send('/sine', 'demo/msg/Sine', message), value);
 
 test('commands run on the graph of the page, and Ctrl-C ends them', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await speak(page);
     await type(page, 'ros2 topic list -t');
     await output(page).getByText('/sine [demo/msg/Sine]').waitFor();
@@ -53,7 +53,7 @@ test('commands run on the graph of the page, and Ctrl-C ends them', () =>
     await command(page).press('Control+c');
     await output(page).getByText('^C').waitFor();
     await page.waitForFunction(() => heard('/sine') === 0);
-    await type(page, "ros2 topic pub --once -w 0 /words demo/msg/Sine '{mode: \"a word\", list: [1]}'");
+    await type(page, 'ros2 topic pub --once -w 0 /words demo/msg/Sine \'{mode: "a word", list: [1]}\'');
     await output(page).getByText("publishing #1: demo.msg.Sine(value=0.0, other=0.0, list=[1.0], mode='a word', big=0)").waitFor();
     await type(page, 'ros2 topic ecko');
     await output(page).getByText(/invalid choice: 'ecko'/).waitFor();
@@ -66,7 +66,7 @@ test('commands run on the graph of the page, and Ctrl-C ends them', () =>
   }));
 
 test('what lab sheets write: sequences, grep, programs with windows, what needs nothing here', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await speak(page);
     const whole = () => output(page).locator('.line').allInnerTexts();
     await type(page, 'source /opt/ros/jazzy/setup.bash && ros2 topic list | grep sin && echo "a && b" # a remark');
@@ -116,7 +116,7 @@ test('what lab sheets write: sequences, grep, programs with windows, what needs 
   }, /GL Driver Message/));
 
 test('the terminal takes the keyboard when it opens, and after a click anywhere in it', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await output(page).click();
     await page.keyboard.type('echo clicked\n');
     await output(page).getByText('clicked', { exact: true }).waitFor();
@@ -133,7 +133,7 @@ test('the terminal takes the keyboard when it opens, and after a click anywhere 
   }));
 
 test('two terminals are open at once, each with its folder and what was typed there', () =>
-  stage.on(kScene.replace('%22terminal%22', '%7B%22column%22%3A%5B%22terminal%22%2C%22terminal%22%5D%7D'), {}, async (page) => {
+  stage.on(SCENE.replace('%22terminal%22', '%7B%22column%22%3A%5B%22terminal%22%2C%22terminal%22%5D%7D'), {}, async (page) => {
     const terminal = (key: string) => {
       const panel = page.locator(`#tab-panel-${key}`);
       const field = panel.getByRole('textbox', { name: 'Command' });
@@ -179,7 +179,7 @@ test('two terminals are open at once, each with its folder and what was typed th
   }));
 
 test('Tab completes and lets go, the arrow keys recall', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await speak(page);
     await command(page).fill('ros2 topic ec');
     await command(page).press('Tab');
@@ -217,18 +217,31 @@ test('Tab completes and lets go, the arrow keys recall', () =>
   }));
 
 test('a service is echoed by its events, and arrays stand in one line on request', () =>
-  stage.on(kScene, {}, async (page) => {
-    const event = (): Promise<void> => page.evaluate(() => send('/add/_service_event', 'demo/srv/Add_Event', {
-      info: { event_type: 1, stamp: { sec: 3, nanosec: 4 }, client_gid: new Uint8Array(16), sequence_number: 7n }, request: [{ a: 2n, b: 3n }], response: [],
-    }));
+  stage.on(SCENE, {}, async (page) => {
+    const event = (): Promise<void> =>
+      page.evaluate(() =>
+        send('/add/_service_event', 'demo/srv/Add_Event', {
+          info: { event_type: 1, stamp: { sec: 3, nanosec: 4 }, client_gid: new Uint8Array(16), sequence_number: 7n },
+          request: [{ a: 2n, b: 3n }],
+          response: [],
+        })
+      );
     await event();
     await type(page, 'ros2 service echo --flow-style /add demo/srv/Add');
     await page.waitForFunction(() => heard('/add/_service_event') > 0);
     await event();
     await output(page).getByText('response: []').waitFor();
     assert.deepEqual((await output(page).locator('.line').allInnerTexts()).slice(1), [
-      'info:', '  event_type: REQUEST_RECEIVED', '  stamp:', '    sec: 3', '    nanosec: 4',
-      `  client_gid: [${Array(16).fill('0').join(', ')}]`, '  sequence_number: 7', 'request: [{a: 2, b: 3}]', 'response: []', '---',
+      'info:',
+      '  event_type: REQUEST_RECEIVED',
+      '  stamp:',
+      '    sec: 3',
+      '    nanosec: 4',
+      `  client_gid: [${Array(16).fill('0').join(', ')}]`,
+      '  sequence_number: 7',
+      'request: [{a: 2, b: 3}]',
+      'response: []',
+      '---',
     ]);
     await command(page).press('Control+c');
     await type(page, 'ros2 service echo /nobody');
@@ -236,17 +249,17 @@ test('a service is echoed by its events, and arrays stand in one line on request
   }));
 
 test('what nodes say is text, whatever it is', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await speak(page);
     await type(page, 'ros2 topic echo --field mode /sine');
     await page.waitForFunction(() => heard('/sine') > 0);
-    await speak(page, { ...kSine, mode: '<img src=x onerror="document.title=1"> \u001b]0;owned\u0007 \u001b[2J <b>bold</b>' });
+    await speak(page, { ...SINE, mode: '<img src=x onerror="document.title=1"> \u001b]0;owned\u0007 \u001b[2J <b>bold</b>' });
     await output(page).getByText('<b>bold</b>').waitFor();
     assert.equal(await page.locator('.terminal img, .terminal b').count(), 0);
   }));
 
 test('a command ends with its panel', () =>
-  stage.on(kScene, {}, async (page) => {
+  stage.on(SCENE, {}, async (page) => {
     await speak(page);
     await type(page, 'ros2 topic hz /sine');
     await page.waitForFunction(() => heard('/sine') > 0);
@@ -257,7 +270,7 @@ test('a command ends with its panel', () =>
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the terminal, ${colorScheme}`, () =>
-    stage.on(kScene, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
+    stage.on(SCENE, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
       await type(page, 'help');
       await type(page, 'less');
       await output(page).getByText('command not found').waitFor();
@@ -266,7 +279,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
 }
 
 test('the terminal fits a phone', () =>
-  stage.on(kScene, { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
+  stage.on(SCENE, { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
     await type(page, 'help');
     await output(page).getByText('Tab completes').waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);

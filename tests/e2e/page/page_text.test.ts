@@ -5,9 +5,9 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { PageStage, expectAccessible, phone } from '../support/page_stage.ts';
 
-const kDrawing = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><rect width="40" height="20" fill="#2450b2"/></svg>';
+const DRAWING = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><rect width="40" height="20" fill="#2450b2"/></svg>';
 
-const kSheet = `# Lab 1: a wheel
+const SHEET = `# Lab 1: a wheel
 
 The speed is $v = \\omega r$, at most $v_{max}$, and
 
@@ -34,7 +34,7 @@ $$\\frac{a}{b} = \\sqrt{2}$$
 \`\`\`
 `;
 
-const kHostile = `# <img src=x onerror="document.title='owned'">
+const HOSTILE = `# <img src=x onerror="document.title='owned'">
 
 <script>document.title = 'owned'</script>
 
@@ -54,8 +54,8 @@ let stage: PageStage;
 function put(sheet: string): void {
   mkdirSync(join(stage.folder, 'text/lab'), { recursive: true });
   writeFileSync(join(stage.folder, 'text/lab/README.md'), sheet);
-  writeFileSync(join(stage.folder, 'text/lab/arm 1.svg'), kDrawing);
-  writeFileSync(join(stage.folder, 'text/logo.svg'), kDrawing);
+  writeFileSync(join(stage.folder, 'text/lab/arm 1.svg'), DRAWING);
+  writeFileSync(join(stage.folder, 'text/logo.svg'), DRAWING);
 }
 
 before(async () => {
@@ -65,14 +65,16 @@ before(async () => {
 after(() => stage.close());
 
 test('a lab sheet stands beside its machine: math, images, tables, links that act', async () => {
-  put(kSheet);
+  put(SHEET);
   await stage.on('sheet', {}, async (page) => {
     const text = page.locator('.text');
     await text.getByRole('heading', { name: 'Lab 1: a wheel' }).waitFor();
     await text.locator('math mfrac').waitFor();
     assert.ok(((await text.locator('math mfrac').boundingBox())?.height ?? 0) > 15);
     // An index hangs below its line, whatever fonts there are.
-    const bottoms = await text.locator('math msub > mi:first-child, math msub > mrow > mrow').evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().bottom));
+    const bottoms = await text.locator('math msub > mi:first-child, math msub > mrow > mrow').evaluateAll((parts) =>
+      parts.map((part) => part.getBoundingClientRect().bottom)
+    );
     assert.ok((bottoms[1] ?? 0) > (bottoms[0] ?? 0) + 1, String(bottoms));
     for (const name of ['the arm', 'a logo']) {
       const image = text.getByRole('img', { name });
@@ -97,7 +99,7 @@ test('a lab sheet stands beside its machine: math, images, tables, links that ac
     });
     await text.getByRole('button', { name: 'Say hello' }).click();
     await page.getByRole('status').getByText('Published on /topic').waitFor();
-    await page.waitForFunction(() => (globalThis as unknown as { heardTexts: string[] }).heardTexts.join() === 'hello');
+    await page.waitForFunction(() => (globalThis as unknown as { heardTexts: string[]; }).heardTexts.join() === 'hello');
     await text.getByRole('button', { name: 'nonsense' }).click();
     await page.getByRole('status').getByText('Not done: the site has no definition of no/msg/Such').waitFor();
     // The plot opens beside the text, once for each state.
@@ -113,7 +115,7 @@ test('a lab sheet stands beside its machine: math, images, tables, links that ac
   });
 });
 
-const kLab = `# Lab 2
+const LAB = `# Lab 2
 
 [add](<ros2wasm:call?name=/add&value={a: 2, b: 40}>) [add nothing](<ros2wasm:call?name=/add&value={c: 1}>) [nobody](ros2wasm:call?name=/none)
 [count](<ros2wasm:goal?name=/count&value={to: 3}>)
@@ -123,7 +125,7 @@ const kLab = `# Lab 2
 `;
 
 test('links of a lab sheet call, send goals, look at checks, hold time and run commands', async () => {
-  put(kLab);
+  put(LAB);
   await stage.on('lab', {}, async (page) => {
     const text = page.locator('.text');
     const said = page.locator('.text-said');
@@ -142,7 +144,7 @@ test('links of a lab sheet call, send goals, look at checks, hold time and run c
     assert.equal(await said.locator('*').count(), 0);
     // The verdict is shown beside the link.
     await page.evaluate(() => {
-      const checks = fake.checks as unknown as { set: (views: unknown[]) => void; views: () => object[] };
+      const checks = fake.checks as unknown as { set: (views: unknown[]) => void; views: () => object[]; };
       checks.set(checks.views().map((view, index) => (index === 0 ? { ...view, state: 'passed', seen: '2 Hz' } : view)));
     });
     await said.getByText('Passed: /topic above 1 Hz (2 Hz)').waitFor();
@@ -170,7 +172,7 @@ test('links of a lab sheet call, send goals, look at checks, hold time and run c
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the text, ${colorScheme}`, async () => {
-    put(kSheet);
+    put(SHEET);
     await stage.on('sheet', { colorScheme, reducedMotion: 'reduce' }, async (page) => {
       await page.locator('math mfrac').waitFor();
       await expectAccessible(page);
@@ -179,7 +181,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
 }
 
 test('the text fits a phone', async () => {
-  put(kSheet);
+  put(SHEET);
   await stage.on('sheet', { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
     await page.locator('math mfrac').waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
@@ -191,7 +193,7 @@ test('the text fits a phone', async () => {
 // Guarantee, hostile input: lab sheets: nothing in a hostile Markdown text acts, loads or is
 // injected
 test('nothing in a hostile text acts, loads or is injected', async () => {
-  put(kHostile);
+  put(HOSTILE);
   await stage.on('sheet', {}, async (page) => {
     const text = page.locator('.text');
     await text.getByText("document.title = 'owned'").waitFor();

@@ -8,12 +8,12 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible, focused, phone } from '../support/page_stage.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
 });
 
 after(() => stage.close());
@@ -74,7 +74,7 @@ test('what has changed since the message before is marked, and can be all that i
     // Some came that were not shown.
     await page.evaluate(() => {
       const last = fake.lastMessage('/scan');
-      if (last !== undefined) for (let i = 0; i < 2; i += 1) fake.publish('/scan', last.bytes);
+      if (last !== undefined) { for (let i = 0; i < 2; i += 1) fake.publish('/scan', last.bytes); }
     });
     await scan(page, 7, [1, 2.5, 3], 'lidar');
     await page.getByText('compared with the one 3 messages before, which was shown').waitFor();
@@ -84,19 +84,20 @@ test('what has changed since the message before is marked, and can be all that i
 test('messages with a stamp say how late they were', () =>
   stage.on('quiet', {}, async (page) => {
     /** ms after its stamp; null: nobody has set that. */
-    const late = (ms: number | null): Promise<void> => page.evaluate((delay) => {
-      const bytes = new Uint8Array(32);
-      const view = new DataView(bytes.buffer);
-      bytes[1] = 1;
-      if (delay !== null) {
-        const at = Date.now() - delay;
-        view.setInt32(4, Math.floor(at / 1000), true);
-        view.setUint32(8, (at % 1000) * 1e6, true);
-      }
-      view.setUint32(12, 1, true);
-      fake.publish('/scan', bytes);
-      fake.setTopics([{ name: '/scan', type: 'sensor_msgs/msg/LaserScan', count: fake.lastMessage('/scan')?.count ?? 0 }]);
-    }, ms);
+    const late = (ms: number | null): Promise<void> =>
+      page.evaluate((delay) => {
+        const bytes = new Uint8Array(32);
+        const view = new DataView(bytes.buffer);
+        bytes[1] = 1;
+        if (delay !== null) {
+          const at = Date.now() - delay;
+          view.setInt32(4, Math.floor(at / 1000), true);
+          view.setUint32(8, (at % 1000) * 1e6, true);
+        }
+        view.setUint32(12, 1, true);
+        fake.publish('/scan', bytes);
+        fake.setTopics([{ name: '/scan', type: 'sensor_msgs/msg/LaserScan', count: fake.lastMessage('/scan')?.count ?? 0 }]);
+      }, ms);
     await late(null);
     await page.getByRole('button', { name: /^\/scan/ }).click();
     const facts = page.locator('.message-facts').first();
@@ -157,13 +158,13 @@ test('a message is copied as the command that publishes it', () =>
     );
   }));
 
-const kBeside = `graph#layout=${encodeURIComponent(JSON.stringify({ row: ['topics', 'graph'] }))}`;
+const BESIDE = `graph#layout=${encodeURIComponent(JSON.stringify({ row: ['topics', 'graph'] }))}`;
 
 const misfit = (page: Page): Promise<void> =>
   page.evaluate(() => {
     const { graphNode, endpoint } = globalThis as unknown as {
       graphNode: (name: string, process: string, has: object) => never;
-      endpoint: (name: string, type: string) => { readonly qos: object };
+      endpoint: (name: string, type: string) => { readonly qos: object; };
     };
     const scan = endpoint('/robot/scan', 'sensor_msgs/msg/LaserScan');
     fake.setGraph({
@@ -177,7 +178,7 @@ const misfit = (page: Page): Promise<void> =>
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`QoS of both sides, and a pair that does not fit with its policy, in Topics and Graph, ${colorScheme}`, () =>
-    stage.on(kBeside, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
+    stage.on(BESIDE, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
       await misfit(page);
       const row = page.getByRole('button', { name: /^\/robot\/scan/ });
       await row.getByText('1 pair does not fit').waitFor();
@@ -194,7 +195,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await page.locator('.panel-topics').getByText(told).waitFor();
       await page.locator('.graph-box[aria-label^="Topic /robot/scan"]').click();
       await page.locator('.panel-graph').getByText(told).waitFor();
-      await page.screenshot({ path: join(kOutput, `topics_${colorScheme}.png`) });
+      await page.screenshot({ path: join(OUTPUT, `topics_${colorScheme}.png`) });
       await expectAccessible(page);
     }));
 }
@@ -207,6 +208,6 @@ test('an opened topic fits a phone', () =>
     await scan(page, 2, [1, 2, 3]);
     await page.getByRole('button', { name: '/scan.angle_min' }).click();
     await page.getByRole('group', { name: 'Field /scan.angle_min' }).waitFor();
-    await page.screenshot({ path: join(kOutput, 'topics_phone.png') });
+    await page.screenshot({ path: join(OUTPUT, 'topics_phone.png') });
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
   }));

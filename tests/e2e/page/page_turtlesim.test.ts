@@ -20,19 +20,19 @@ declare global {
   var held: number;
 }
 
-const kExample = fileURLToPath(new URL('../../../examples/03_turtlesim', import.meta.url));
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
-const kAlone = `#layout=${encodeURIComponent(JSON.stringify('turtlesim'))}`;
+const EXAMPLE = fileURLToPath(new URL('../../../examples/03_turtlesim', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
+const ALONE = `#layout=${encodeURIComponent(JSON.stringify('turtlesim'))}`;
 
-const kTabs = `#layout=${encodeURIComponent(JSON.stringify({ tabs: ['turtlesim', 'nodes'] }))}`;
+const TABS = `#layout=${encodeURIComponent(JSON.stringify({ tabs: ['turtlesim', 'nodes'] }))}`;
 
 const scratch = new Scratch();
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
-  mkdirSync(kOutput, { recursive: true });
-  cpSync(kExample, join(scratch.path, 'example'), { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
+  cpSync(EXAMPLE, join(scratch.path, 'example'), { recursive: true });
   const packed = await runCli(['pack', join(scratch.path, 'example/workspace.yaml'), '-o', join(scratch.path, 'site')]);
   assert.equal(packed.code, 0, packed.errors);
 });
@@ -45,7 +45,7 @@ after(async () => {
 type Rgb = readonly [number, number, number];
 
 interface Shown {
-  readonly turtles?: readonly { readonly name: string; readonly x: number; readonly y: number; readonly theta: number; readonly shape: number }[];
+  readonly turtles?: readonly { readonly name: string; readonly x: number; readonly y: number; readonly theta: number; readonly shape: number; }[];
   readonly picture?: number;
   readonly first?: number;
   readonly strokes?: readonly unknown[];
@@ -53,18 +53,23 @@ interface Shown {
 }
 
 /** A thick red line across the sheet, 100 pixels below its upper edge. */
-const kLine = { x1: 50, y1: 100, x2: 450, y2: 100, r: 255, g: 0, b: 0, width: 20 };
-const kBlue: Rgb = [69, 86, 255];
+const LINE = { x1: 50, y1: 100, x2: 450, y2: 100, r: 255, g: 0, b: 0, width: 20 };
+const BLUE: Rgb = [69, 86, 255];
 /** The pen of the simulator. Its line is thin: in a small drawing some of the ground shines through. */
-const kPen: Rgb = [0xb3, 0xb8, 0xff];
-const kOne = [{ name: 'turtle1', x: 5.544445, y: 5.544445, theta: 0, shape: 0 }];
+const PEN: Rgb = [0xb3, 0xb8, 0xff];
+const ONE = [{ name: 'turtle1', x: 5.544445, y: 5.544445, theta: 0, shape: 0 }];
 
 async function show(page: Page, shown: Shown, topic = '/turtlesim/_scene'): Promise<void> {
   await page.evaluate(
     ([where, given]) =>
       send(where, 'turtlesim_scene/msg/Scene', {
-        width: 500, height: 500, meter: 45, background: given.background ?? [69, 86, 255], picture: given.picture ?? 1,
-        first: given.first ?? 0, strokes: given.strokes ?? [],
+        width: 500,
+        height: 500,
+        meter: 45,
+        background: given.background ?? [69, 86, 255],
+        picture: given.picture ?? 1,
+        first: given.first ?? 0,
+        strokes: given.strokes ?? [],
         turtles: (given.turtles ?? []).map((turtle) => ({ ...turtle, pen: [0, 0, 0], pen_width: 3, pen_on: true })),
       }),
     [topic, shown] as const,
@@ -96,34 +101,44 @@ async function colored(page: Page, x: number, y: number, wanted: Rgb, tolerance 
     const found = await colorAt(page, x, y);
     if (found.every((channel, index) => Math.abs(channel - (wanted[index] ?? 0)) <= tolerance)) return;
     assert.ok(Date.now() < end, `${x}, ${y}: ${found.join(' ')} instead of ${wanted.join(' ')}`);
-    await page.evaluate(() => new Promise((drawn) => { requestAnimationFrame(drawn); }));
+    await page.evaluate(() =>
+      new Promise((drawn) => {
+        requestAnimationFrame(drawn);
+      })
+    );
   }
 }
 
 const drawing = (page: Page, words: RegExp) => page.getByRole('application', { name: words });
 
 test('background, strokes and turtles are drawn, and a new sheet is empty', () =>
-  stage.on(`turtles${kAlone}`, {}, async (page) => {
-    await begin(page, { turtles: kOne, strokes: [kLine] });
+  stage.on(`turtles${ALONE}`, {}, async (page) => {
+    await begin(page, { turtles: ONE, strokes: [LINE] });
     await colored(page, 250, 100, [255, 0, 0]);
-    await colored(page, 20, 100, kBlue);
-    assert.notDeepEqual(await colorAt(page, 249, 249), kBlue);
+    await colored(page, 20, 100, BLUE);
+    assert.notDeepEqual(await colorAt(page, 249, 249), BLUE);
     await drawing(page, /^Drawing of \/turtlesim: turtle1 at x 5\.5, y 5\.5, heading 0°$/).waitFor();
-    await show(page, { turtles: [{ ...kOne[0]!, x: 1, y: 10, theta: Math.PI / 2 }], picture: 2, background: [10, 200, 30] });
+    await show(page, { turtles: [{ ...ONE[0]!, x: 1, y: 10, theta: Math.PI / 2 }], picture: 2, background: [10, 200, 30] });
     await colored(page, 250, 100, [10, 200, 30]);
     await colored(page, 249, 249, [10, 200, 30]);
     await drawing(page, /turtle1 at x 1\.0, y 10\.0, heading 90°$/).waitFor();
   }));
 
 test('nothing is drawn while nothing changes, and another size is filled', () =>
-  stage.on(`turtles${kAlone}`, { deviceScaleFactor: 2 }, async (page) => {
-    await begin(page, { turtles: kOne, strokes: [kLine] });
+  stage.on(`turtles${ALONE}`, { deviceScaleFactor: 2 }, async (page) => {
+    await begin(page, { turtles: ONE, strokes: [LINE] });
     await colored(page, 250, 100, [255, 0, 0]);
     const drawn = await page.evaluate(async () => {
       let count = 0;
       const real = CanvasRenderingContext2D.prototype.fillRect;
-      CanvasRenderingContext2D.prototype.fillRect = function (...box) { count += 1; real.apply(this, box); };
-      for (let i = 0; i < 20; i += 1) await new Promise((next) => { requestAnimationFrame(next); });
+      CanvasRenderingContext2D.prototype.fillRect = function(...box) {
+        count += 1;
+        real.apply(this, box);
+      };
+      for (let i = 0; i < 20; i += 1)
+        await new Promise((next) => {
+          requestAnimationFrame(next);
+        });
       CanvasRenderingContext2D.prototype.fillRect = real;
       return count;
     });
@@ -133,17 +148,17 @@ test('nothing is drawn while nothing changes, and another size is filled', () =>
       await page.waitForFunction(() => {
         const canvas = document.querySelector<HTMLCanvasElement>('.turtle-canvas');
         const box = canvas?.getBoundingClientRect();
-        return canvas != null && box !== undefined && box.width > 90 && Math.abs(box.width - box.height) < 1 &&
-          Math.abs(canvas.width - box.width * 2) <= 2 && box.right <= innerWidth && box.bottom <= innerHeight;
+        return canvas != null && box !== undefined && box.width > 90 && Math.abs(box.width - box.height) < 1
+          && Math.abs(canvas.width - box.width * 2) <= 2 && box.right <= innerWidth && box.bottom <= innerHeight;
       });
       await colored(page, 250, 100, [255, 0, 0]);
-      await colored(page, 480, 480, kBlue);
+      await colored(page, 480, 480, BLUE);
     }
   }));
 
 test('keys and pad drive the turtle as the keys of turtle_teleop_key do', () =>
-  stage.on(`turtles${kAlone}`, {}, async (page) => {
-    await begin(page, { turtles: kOne });
+  stage.on(`turtles${ALONE}`, {}, async (page) => {
+    await begin(page, { turtles: ONE });
     await page.getByText('The arrow keys drive turtle1').waitFor();
     const said = (list: readonly string[]): Promise<unknown> =>
       page.waitForFunction((wanted) => moves.join('; ') === wanted, list.map((one) => `/turtle1/cmd_vel ${one}`).join('; '));
@@ -172,8 +187,8 @@ async function holdForward(page: Page): Promise<void> {
 }
 
 test('the pad is let go when the window loses the focus or the page is hidden, and by a finger that has slid off it', () =>
-  stage.on(`turtles${kAlone}`, {}, async (page) => {
-    await begin(page, { turtles: kOne });
+  stage.on(`turtles${ALONE}`, {}, async (page) => {
+    await begin(page, { turtles: ONE });
     await page.getByText('The arrow keys drive turtle1').waitFor();
     // The timer that would send more is the only one: without it time goes on, and nothing is sent.
     await page.evaluate(() => {
@@ -183,7 +198,12 @@ test('the pad is let go when the window loses the focus or the page is hidden, a
       node.timer = (ms, ring) => {
         const timer = real(ms, ring);
         held += 1;
-        return { close: () => { held -= 1; timer.close(); } };
+        return {
+          close: () => {
+            held -= 1;
+            timer.close();
+          },
+        };
       };
       fake.node = () => node;
     });
@@ -204,13 +224,13 @@ test('the pad is let go when the window loses the focus or the page is hidden, a
   }));
 
 test('several turtles have names and are chosen, several simulators too', () =>
-  stage.on(`turtles${kAlone}`, {}, async (page) => {
-    await begin(page, { turtles: kOne });
+  stage.on(`turtles${ALONE}`, {}, async (page) => {
+    await begin(page, { turtles: ONE });
     await drawing(page, /\/turtlesim: turtle1/).waitFor();
     await page.getByRole('combobox', { name: 'Simulator' }).selectOption('/two/turtlesim');
     const two = '/two/turtlesim/_scene';
-    const both = [...kOne, { name: 'turtle2', x: 2, y: 2, theta: -1, shape: 4 }];
-    await begin(page, { turtles: both, strokes: [kLine] }, two);
+    const both = [...ONE, { name: 'turtle2', x: 2, y: 2, theta: -1, shape: 4 }];
+    await begin(page, { turtles: both, strokes: [LINE] }, two);
     await drawing(page, /^Drawing of \/two\/turtlesim: turtle1 at x 5\.5, y 5\.5, heading 0°; turtle2 at x 2\.0, y 2\.0, heading -57°$/).waitFor();
     const box = (await page.locator('.turtle-sheet').boundingBox()) ?? assert.fail();
     await page.mouse.click(box.x + (box.width * 90) / 500, box.y + (box.height * 409) / 500);
@@ -218,7 +238,7 @@ test('several turtles have names and are chosen, several simulators too', () =>
     assert.equal(await page.getByRole('combobox', { name: 'Turtle that the keys drive' }).inputValue(), 'turtle2');
     await page.keyboard.press('ArrowRight');
     await page.waitForFunction(() => moves.join() === '/two/turtle2/cmd_vel 0 -2');
-    await page.screenshot({ path: join(kOutput, 'turtlesim_two.png') });
+    await page.screenshot({ path: join(OUTPUT, 'turtlesim_two.png') });
     await show(page, { turtles: [], first: 1 }, two);
     await drawing(page, /^Drawing of \/two\/turtlesim: no turtle$/).waitFor();
     await page.evaluate(() => fake.setTopics([{ name: '/two/turtlesim/_scene', type: 'turtlesim_scene/msg/Scene', publishers: 0 }]));
@@ -226,8 +246,8 @@ test('several turtles have names and are chosen, several simulators too', () =>
   }));
 
 test('while time is held the panel says so, and without a simulator too', () =>
-  stage.on(`turtles${kAlone}`, {}, async (page) => {
-    await begin(page, { turtles: kOne });
+  stage.on(`turtles${ALONE}`, {}, async (page) => {
+    await begin(page, { turtles: ONE });
     await drawing(page, /turtle1/).waitFor();
     await page.evaluate(() => fake.time.pause());
     await page.getByText('Time is held: turtles stand still').waitFor();
@@ -239,13 +259,13 @@ test('while time is held the panel says so, and without a simulator too', () =>
 
 test('a site with a simulator and checks has both in its usual layout, and a phone shows the turtle first', async () => {
   await stage.on('turtles', {}, async (page) => {
-    await begin(page, { turtles: kOne });
+    await begin(page, { turtles: ONE });
     await drawing(page, /turtle1/).waitFor();
     assert.deepEqual(await page.getByRole('tab').allInnerTexts(), ['Nodes', 'Checks', 'Turtlesim', 'Consoles', 'Topics']);
-    await page.screenshot({ path: join(kOutput, 'turtlesim_usual.png') });
+    await page.screenshot({ path: join(OUTPUT, 'turtlesim_usual.png') });
   });
   await stage.on('turtles', phone, async (page) => {
-    await begin(page, { turtles: kOne });
+    await begin(page, { turtles: ONE });
     await drawing(page, /turtle1/).waitFor();
     assert.equal(await page.getByRole('tab', { selected: true }).innerText(), 'Turtlesim');
   });
@@ -253,11 +273,11 @@ test('a site with a simulator and checks has both in its usual layout, and a pho
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, on a narrow phone too, ${colorScheme}`, () =>
-    stage.on(`turtles${kAlone}`, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
-      await begin(page, { turtles: [...kOne, { name: 'turtle2', x: 2, y: 2, theta: -1, shape: 4 }], strokes: [kLine] });
+    stage.on(`turtles${ALONE}`, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
+      await begin(page, { turtles: [...ONE, { name: 'turtle2', x: 2, y: 2, theta: -1, shape: 4 }], strokes: [LINE] });
       await drawing(page, /turtle2/).waitFor();
       await expectAccessible(page);
-      await page.screenshot({ path: join(kOutput, `turtlesim_${colorScheme}.png`) });
+      await page.screenshot({ path: join(OUTPUT, `turtlesim_${colorScheme}.png`) });
       await page.setViewportSize({ width: 320, height: 568 });
       await expectAccessible(page);
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
@@ -271,7 +291,9 @@ async function onExample(options: BrowserContextOptions, fragment: string, body:
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
   const troubles: string[] = [];
-  page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
+  page.on('console', (message) => {
+    if (message.type() === 'error') troubles.push(message.text());
+  });
   page.on('pageerror', (error) => troubles.push(error.message));
   try {
     await page.goto(`${served.url}${fragment}`);
@@ -291,7 +313,7 @@ test('example 03 opens as its manifest says: beside its lab sheet, and on a phon
     await page.getByRole('link', { name: 'publish one' }).or(page.getByRole('button', { name: 'publish one' })).click();
     await page.waitForFunction(() => !/heading 0°/.test(document.querySelector('.turtle-sheet')?.getAttribute('aria-label') ?? 'heading 0°'));
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'turtlesim_example.png') });
+    await page.screenshot({ path: join(OUTPUT, 'turtlesim_example.png') });
   });
   await onExample({ ...phone, hasTouch: true, isMobile: true }, '', async (page) => {
     await drawing(page, /turtle1 at x 5\.5/).waitFor();
@@ -307,13 +329,13 @@ async function pose(page: Page): Promise<readonly number[]> {
 }
 
 test('the real turtle is driven by keys and leaves a stroke, which those who come late see too', () =>
-  onExample({}, kTabs, async (page) => {
+  onExample({}, TABS, async (page) => {
     await drawing(page, /turtle1 at x 5\.5, y 5\.5, heading 0°$/).waitFor();
-    await colored(page, 20, 20, kBlue);
+    await colored(page, 20, 20, BLUE);
     await page.keyboard.press('ArrowUp');
     await drawing(page, /turtle1 at x [67]\.\d, y 5\.5, heading 0°$/).waitFor();
     // The pen's line, behind the turtle.
-    await colored(page, 250, 250, kPen, 45);
+    await colored(page, 250, 250, PEN, 45);
     await drawing(page, /turtle1/).press('ArrowLeft');
     await page.waitForFunction(() => !/heading 0°/.test(document.querySelector('.turtle-sheet')?.getAttribute('aria-label') ?? '0'));
     const [, , heading = 0] = await pose(page);
@@ -334,19 +356,19 @@ test('the real turtle is driven by keys and leaves a stroke, which those who com
     await page.getByRole('tab', { name: 'Nodes' }).click();
     await page.locator('.turtle-sheet').waitFor({ state: 'detached' });
     await page.getByRole('tab', { name: 'Turtlesim' }).click();
-    await colored(page, 260, 250, kPen, 45);
+    await colored(page, 260, 250, PEN, 45);
   }));
 
 test('on a phone the pad drives the turtle; reset brings it back and clears the sheet', () =>
-  onExample({ ...phone, hasTouch: true, isMobile: true }, kAlone, async (page) => {
+  onExample({ ...phone, hasTouch: true, isMobile: true }, ALONE, async (page) => {
     await drawing(page, /turtle1 at x 5\.5/).waitFor();
     await page.getByRole('button', { name: 'Drive turtle1 forward' }).tap();
     await drawing(page, /turtle1 at x [67]\.\d, y 5\.5, heading 0°$/).waitFor();
-    await colored(page, 250, 250, kPen, 45);
-    await page.screenshot({ path: join(kOutput, 'turtlesim_phone.png') });
+    await colored(page, 250, 250, PEN, 45);
+    await page.screenshot({ path: join(OUTPUT, 'turtlesim_phone.png') });
     await page.getByRole('button', { name: 'Reset the simulator' }).tap();
     await drawing(page, /turtle1 at x 5\.5, y 5\.5, heading 0°$/).waitFor();
-    await colored(page, 350, 249, kBlue);
+    await colored(page, 350, 249, BLUE);
   }));
 
 test('example 03, squares: one turtle draws squares, and the one of the other simulator does the same', async () => {
@@ -357,6 +379,6 @@ test('example 03, squares: one turtle draws squares, and the one of the other si
     // draw_square turns at the first corner: both turtles look up there, within the same minute.
     for (const one of ['turtlesim1', 'turtlesim2'])
       await drawing(page, new RegExp(`^Drawing of /${one}/turtlesim: turtle1 at x [67]\\.\\d, y [56]\\.\\d, heading (8[5-9]|9[0-5])`)).waitFor();
-    await page.screenshot({ path: join(kOutput, 'turtlesim_squares.png') });
+    await page.screenshot({ path: join(OUTPUT, 'turtlesim_squares.png') });
   }, 'squares');
 });

@@ -18,7 +18,8 @@ let workspace: PackWorkspace;
 let browser: Browser;
 let served: StaticServer;
 
-const manifest = (name: string): string => `schema: 1
+const manifest = (name: string): string =>
+  `schema: 1
 name: ${name}
 title: The lab ${name}
 distro: jazzy
@@ -114,9 +115,10 @@ test('a student does tasks, comes back, and hands in', watchdog, async () => {
   assert.equal(lab?.['student'], 'Ada');
   assert.equal(course?.['course'], 'Robots & more');
   assert.equal(lab['key'], course['key'], 'one browser');
-  const labs = course['labs'] as readonly { readonly title: string; readonly tasks: readonly Readonly<Record<string, string>>[] }[];
+  const labs = course['labs'] as readonly { readonly title: string; readonly tasks: readonly Readonly<Record<string, string>>[]; }[];
   assert.deepEqual(labs.map(({ title, tasks }) => [title, tasks.map((task) => 'done_at' in task)]), [
-    ['The lab one', [true, true, false]], ['The lab two', [false, false, false]],
+    ['The lab one', [true, true, false]],
+    ['The lab two', [false, false, false]],
   ]);
   assert.equal(labs[0]?.tasks[2]?.['title'], hostile);
   assert.ok('hint_at' in (labs[0]?.tasks[1] ?? {}));

@@ -13,7 +13,7 @@ const watchdog = { timeout: 240_000 };
 const SUPPORT = resolve(import.meta.dirname, '../../support/opencv');
 const OUTPUT = resolve(import.meta.dirname, '../../output');
 
-type Told = null | boolean | number | string | readonly Told[] | { readonly [name: string]: Told };
+type Told = null | boolean | number | string | readonly Told[] | { readonly [name: string]: Told; };
 
 /** Names for which `pack` takes Pyodide's opencv-python in place of the channel's cv2. */
 const SOURCE = readFileSync(resolve(import.meta.dirname, '../../../bundler/workspace/python_libraries.cpp'), 'utf8');

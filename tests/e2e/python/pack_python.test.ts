@@ -29,8 +29,8 @@ interface Python {
 }
 
 interface Site {
-  readonly nodes: readonly { readonly id: string; readonly kind: string; readonly python?: Python }[];
-  readonly files: readonly { readonly path: string }[];
+  readonly nodes: readonly { readonly id: string; readonly kind: string; readonly python?: Python; }[];
+  readonly files: readonly { readonly path: string; }[];
   readonly sources?: SiteSources;
 }
 
@@ -60,8 +60,15 @@ test('entry points and scripts are programs of kind python', () => {
     ['judge.py-5', 'python', 'lib/mixed_nodes/judge.py'],
   ]);
   assert.deepEqual(pythonFiles(site('site')), [
-    'pyodide/pyodide-lock.json', 'pyodide/pyodide.asm.js', 'pyodide/pyodide.asm.wasm', 'pyodide/pyodide.js',
-    'pyodide/python_stdlib.zip', 'python/channels.zip', 'python/numpy.zip', 'python/workspace.zip', 'python_worker.js',
+    'pyodide/pyodide-lock.json',
+    'pyodide/pyodide.asm.js',
+    'pyodide/pyodide.asm.wasm',
+    'pyodide/pyodide.js',
+    'pyodide/python_stdlib.zip',
+    'python/channels.zip',
+    'python/numpy.zip',
+    'python/workspace.zip',
+    'python_worker.js',
   ]);
 });
 
@@ -106,7 +113,8 @@ test('commands of ros2 wait for nodes whose interpreter is loading', async () =>
   assert.match(node.stdout, /^ {2}Subscribers:\n(?: {4}.*\n)*? {4}\/counted: /m, node.stderr);
   const echo = await workspace.run(['ros2', 'site', 'topic', 'echo', '/counted', '--once']);
   assert.equal(echo.code, 0, echo.stderr);
-  const called = await workspace.run(['ros2', 'site', 'service', 'call', '/ears/get_parameters', 'rcl_interfaces/srv/GetParameters', '{names: [use_sim_time]}']);
+  const called = await workspace.run(['ros2', 'site', 'service', 'call', '/ears/get_parameters', 'rcl_interfaces/srv/GetParameters',
+    '{names: [use_sim_time]}']);
   assert.match(called.stdout, /bool_value=False/, called.stderr);
 });
 

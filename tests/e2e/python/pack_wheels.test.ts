@@ -29,7 +29,7 @@ def main():
 `;
 
 interface Site {
-  readonly nodes: readonly { readonly python?: { readonly archives: readonly string[] } }[];
+  readonly nodes: readonly { readonly python?: { readonly archives: readonly string[]; }; }[];
 }
 
 let workspace: PackWorkspace;
@@ -69,8 +69,8 @@ let gearHash = '';
 before(async () => {
   workspace = new PackWorkspace();
   gearHash = makeWheel('Gear_Box', '2.0', { 'gears/__init__.py': 'TEETH = 12\n' });
-  makeWheel('parts', '1.2', { 'parts/__init__.py': 'from .sums import double\n', 'parts/sums.py': 'def double(x):\n    return 2 * x\n' },
-    ['gear-box>=2', 'PyYAML', 'moon (>=1)', 'windows_only; sys_platform == "win32"', 'tester; extra == "test"']);
+  makeWheel('parts', '1.2', { 'parts/__init__.py': 'from .sums import double\n', 'parts/sums.py': 'def double(x):\n    return 2 * x\n' }, ['gear-box>=2',
+    'PyYAML', 'moon (>=1)', 'windows_only; sys_platform == "win32"', 'tester; extra == "test"']);
   const gears = readFileSync(join(workspace.root, 'wheels/Gear_Box-2.0-py3-none-any.whl'));
   server = createServer((_, response) => response.end(gears));
   await new Promise<void>((done) => {
@@ -78,7 +78,11 @@ before(async () => {
   });
   served = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
   const info = 'kinetics-3.1.dist-info/METADATA';
-  await addNoarch('kinetics', { 'kinetics/__init__.py': '', 'kinetics/arm.py': 'REACH = 0.7\n', [info]: 'Metadata-Version: 2.1\nName: kinetics\nVersion: 3.1\n' });
+  await addNoarch('kinetics', {
+    'kinetics/__init__.py': '',
+    'kinetics/arm.py': 'REACH = 0.7\n',
+    [info]: 'Metadata-Version: 2.1\nName: kinetics\nVersion: 3.1\n',
+  });
   await addNoarch('springs', { 'springs.py': 'STIFFNESS = 40\n' });
   await addNoarch('dampers', { 'dampers.py': 'SOFT = True\n' });
   const indexed = await workspace.run(['channel', 'index', 'mine']);

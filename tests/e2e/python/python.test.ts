@@ -62,13 +62,11 @@ const wanted: Readonly<Record<string, RegExp>> = {
   'a script sleeps and reads the clocks': /^\[threads-5\] slept True True$/,
   'the program ends with its last thread': /^\[threads-5\] the last thread ends the program$/,
   'a goal is rejected': /^\[errands-6\] rejected True$/,
-  'a goal is deferred, tells how far it is, and succeeds':
-    /^\[errands-6\] done 4 \[0, 1, 1, 2, 3\] \[3, 4, 5\]$/,
+  'a goal is deferred, tells how far it is, and succeeds': /^\[errands-6\] done 4 \[0, 1, 1, 2, 3\] \[3, 4, 5\]$/,
   'a goal is cancelled while it sleeps': /^\[errands-6\] cancelled 1 5$/,
   'a node is configured, activated, deactivated, and its error handled':
     /^\[life-7\] managed \[True, False, True, True, False\] \['shines'\] \['white', 'red'\]$/,
-  'its transitions are told':
-    /^\[life-7\] states configuring inactive activating active deactivating inactive cleaningup errorprocessing unconfigured$/,
+  'its transitions are told': /^\[life-7\] states configuring inactive activating active deactivating inactive cleaningup errorprocessing unconfigured$/,
   'calls of a service are told': /^\[life-7\] calls \[\(0, 1\), \(3, 0\)\]$/,
   'messages become bytes and come back': /^\[life-7\] bytes bytes$/,
   'one message is waited for': /^\[life-7\] waited True$/,
@@ -126,18 +124,27 @@ for (const [link, isolated] of played(['shared', true], ['port', false])) {
       const page = await context.newPage();
       await page.goto(host.url);
       await page.waitForFunction(
-        () => /\[ears\]: heard <Python counts \d+>/.test(document.body?.textContent ?? ''), null, { timeout: 200_000 });
+        () => /\[ears\]: heard <Python counts \d+>/.test(document.body?.textContent ?? ''),
+        null,
+        { timeout: 200_000 },
+      );
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
       // Threads suspend each other here too.
       await page.waitForFunction(
         () => ['the last thread ends the program', 'errands are done'].every((line) => document.body?.textContent?.includes(line)),
-        null, { timeout: 200_000 });
+        null,
+        { timeout: 200_000 },
+      );
       const field = page.getByRole('textbox', { name: 'Standard input of /drive' });
-      const takes = (what: string) => page.waitForFunction((hint) =>
-        document.querySelector<HTMLInputElement>('[aria-label="Standard input of /drive"]')?.placeholder.startsWith(hint), what, { timeout: 200_000 });
+      const takes = (what: string) =>
+        page.waitForFunction((hint) => document.querySelector<HTMLInputElement>('[aria-label="Standard input of /drive"]')?.placeholder.startsWith(hint), what,
+          { timeout: 200_000 });
       // The node reads keys: each goes at once.
       await takes('Keys go to the node');
-      for (const [key, answer] of [['i', 'drives 1.0 0.0'], ['x', "stands for 'x'"], ['Enter', "stands for '\\r'"], ['ArrowLeft', "stands for 'D'"], ['Control+c', "stands for '\\x03'"], ['j', 'drives 0.0 1.0']] as const) {
+      for (
+        const [key, answer] of [['i', 'drives 1.0 0.0'], ['x', "stands for 'x'"], ['Enter', "stands for '\\r'"], ['ArrowLeft', "stands for 'D'"], ['Control+c',
+          "stands for '\\x03'"], ['j', 'drives 0.0 1.0']] as const
+      ) {
         await field.press(key);
         await page.waitForFunction((said) => document.body?.textContent?.includes(said), answer, { timeout: 200_000 });
       }

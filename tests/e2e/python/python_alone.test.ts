@@ -50,8 +50,16 @@ after(async () => {
 const refused = "refused: error[R2W0714]: can't start new thread: this browser cannot suspend a program. Give the work to a timer, to a "
   + 'callback group of a MultiThreadedExecutor, or to a node of its own';
 const wanted = [
-  'a callback calls 5', 'whose service calls another 10', 'a goal [0, 1, 2]', 'a rate in a callback True', 'other timers beat',
-  refused, refused, "asyncio ['slept', 'in time']", 'waits end in time [True, False, False, True]', 'alone is done',
+  'a callback calls 5',
+  'whose service calls another 10',
+  'a goal [0, 1, 2]',
+  'a rate in a callback True',
+  'other timers beat',
+  refused,
+  refused,
+  "asyncio ['slept', 'in time']",
+  'waits end in time [True, False, False, True]',
+  'alone is done',
 ];
 
 test('without promise integration Python nodes talk, read, call each other and stop', watchdog, async () => {
@@ -76,13 +84,13 @@ console.log('a worker can suspend: ' + ('Suspending' in WebAssembly || 'promisin
     page.on('console', (message) => told.add(message.text()));
     await page.goto(host.url);
     /** The lines of a node. */
-    const lines = (label: string): Promise<readonly string[]> => page.evaluate((heading) => {
-      const text = document.body.innerText;
-      const console = text.slice(text.indexOf('Each node'));
-      return console.slice(console.indexOf(`\n${heading}\n`)).split('\n').slice(3);
-    }, label);
-    const said = (text: string): Promise<unknown> =>
-      page.waitForFunction((words) => document.body.textContent.includes(words), text, { timeout: 120_000 });
+    const lines = (label: string): Promise<readonly string[]> =>
+      page.evaluate((heading) => {
+        const text = document.body.innerText;
+        const console = text.slice(text.indexOf('Each node'));
+        return console.slice(console.indexOf(`\n${heading}\n`)).split('\n').slice(3);
+      }, label);
+    const said = (text: string): Promise<unknown> => page.waitForFunction((words) => document.body.textContent.includes(words), text, { timeout: 120_000 });
     await page.waitForFunction(() => /\[ears\]: heard <Python counts \d+>/.test(document.body.textContent), null, { timeout: 120_000 });
     assert.equal(await page.evaluate(() => crossOriginIsolated), true);
     assert.deepEqual([...told].filter((text) => text.startsWith('a worker')), ['a worker can suspend: false']);
@@ -95,7 +103,9 @@ console.log('a worker can suspend: ' + ('Suspending' in WebAssembly || 'promisin
     // The second run of /ask is the last to wait.
     await page.waitForFunction(
       (count) => document.body.textContent.split('waits for ever').length - 1 > count && document.body.textContent.split('a line? ').length === 3,
-      ways.length, { timeout: 120_000 });
+      ways.length,
+      { timeout: 120_000 },
+    );
     for (const way of [...ways, 'hear']) {
       const took = await msToStop(page, way);
       assert.ok(took < soonMs, `${way} ends after ${took} ms`);

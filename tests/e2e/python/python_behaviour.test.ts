@@ -29,7 +29,8 @@ let folder = '';
 
 before(() => {
   folder = makeSite([], {}, {}, {
-    nodes: [{ entry: 'lib/chatter_py/behaviour', executable: 'behaviour' }], packages: ownPackage('chatter_py'),
+    nodes: [{ entry: 'lib/chatter_py/behaviour', executable: 'behaviour' }],
+    packages: ownPackage('chatter_py'),
   });
 });
 
@@ -78,7 +79,9 @@ function check(texts: readonly string[], end: unknown): void {
   assert.deepEqual(texts.filter((text) => !logged.includes(text)), wanted, JSON.stringify(end));
   const times = (text: string): number => logged.filter((line) => line.endsWith(`[logs]: ${text}`)).length;
   assert.deepEqual(
-    ['tells once', 'skips the first', 'is throttled', 'is throttled for a moment'].map(times), [1, 2, 1, 3]);
+    ['tells once', 'skips the first', 'is throttled', 'is throttled for a moment'].map(times),
+    [1, 2, 1, 3],
+  );
 }
 
 for (const link of played('shared', 'port')) {
@@ -107,7 +110,8 @@ test('and so they do in Chromium, on both links', watchdog, async () => {
         assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
         const end = await page.getByText(/^(Finished, code|Exited with code|Crashed)/).first().innerText({ timeout: 120_000 });
         const [saved] = await Promise.all([
-          page.waitForEvent('download'), page.getByRole('button', { name: 'Save the console of /behaviour', exact: true }).click(),
+          page.waitForEvent('download'),
+          page.getByRole('button', { name: 'Save the console of /behaviour', exact: true }).click(),
         ]);
         check(readFileSync(await saved.path(), 'utf8').trimEnd().split('\n'), [isolated, end]);
       } finally {

@@ -22,7 +22,10 @@ let browser: Browser | undefined;
 
 before(async () => {
   const entry = 'lib/chatter_py/fresh';
-  folder = makeSite([], {}, {}, { nodes: ['one', 'two'].map((name) => ({ entry, executable: 'fresh', arguments: [name] })), packages: ownPackage('chatter_py') });
+  folder = makeSite([], {}, {}, {
+    nodes: ['one', 'two'].map((name) => ({ entry, executable: 'fresh', arguments: [name] })),
+    packages: ownPackage('chatter_py'),
+  });
   browser = await chromium.launch(chromiumOptions());
 });
 
@@ -59,37 +62,42 @@ async function visit(isolated: boolean, use: (page: Page, requests: readonly str
 
 function shows(page: Page, pattern: string, count: number): Promise<unknown> {
   return page.waitForFunction(
-    ([text, least]) => (document.body?.textContent?.match(new RegExp(text, 'g')) ?? []).length >= least, [pattern, count] as const, patience,
+    ([text, least]) => (document.body?.textContent?.match(new RegExp(text, 'g')) ?? []).length >= least,
+    [pattern, count] as const,
+    patience,
   );
 }
 
 // Guarantee, verified: the page and `ros2wasm run` run Python only with the archives and the Pyodide that `site.json` lists,
 // and no image of an interpreter is kept of others; its scripts are looked at first, and then loaded from the host once more
 for (const path of ['python/packages.zip', 'pyodide/python_stdlib.zip', 'pyodide/pyodide.asm.js', 'python_worker.js']) {
-  test(`${path}, changed on the host, is refused by the page`, watchdog, () => withChange(path, () =>
-    visit(path !== 'python_worker.js', async (page) => {
-      await shows(page, `${path} is not the file that the site was packed with`, 2);
-      const text = await page.evaluate(() => document.body.textContent ?? '');
-      assert.match(text, /R2W0724/);
-      assert.doesNotMatch(text, /fresh \{"image"/);
-      assert.equal(await page.evaluate(async () => (await (await caches.open('ros2wasm-kept')).keys()).length), 0);
-    })));
+  test(`${path}, changed on the host, is refused by the page`, watchdog, () =>
+    withChange(path, () =>
+      visit(path !== 'python_worker.js', async (page) => {
+        await shows(page, `${path} is not the file that the site was packed with`, 2);
+        const text = await page.evaluate(() => document.body.textContent ?? '');
+        assert.match(text, /R2W0724/);
+        assert.doesNotMatch(text, /fresh \{"image"/);
+        assert.equal(await page.evaluate(async () => (await (await caches.open('ros2wasm-kept')).keys()).length), 0);
+      })));
 }
 
 for (const link of played('shared', 'port')) {
   for (const path of ['python/packages.zip', 'pyodide/python_stdlib.zip']) {
-    test(`${path}, changed in the folder, is refused headless, ${link} link`, watchdog, () => withChange(path, () => {
-      const { status, stdout, stderr } = spawnSync(process.execPath, [headless, folder, '--link', link], { encoding: 'utf8', timeout: 200_000 });
-      assert.equal(status, 1, stdout);
-      assert.match(stderr, new RegExp(`\\[fresh-1\\] error\\[R2W0724\\]: ${path} is not the file`));
-      assert.doesNotMatch(stdout, /fresh \{"image"/);
-    }));
+    test(`${path}, changed in the folder, is refused headless, ${link} link`, watchdog, () =>
+      withChange(path, () => {
+        const { status, stdout, stderr } = spawnSync(process.execPath, [headless, folder, '--link', link], { encoding: 'utf8', timeout: 200_000 });
+        assert.equal(status, 1, stdout);
+        assert.match(stderr, new RegExp(`\\[fresh-1\\] error\\[R2W0724\\]: ${path} is not the file`));
+        assert.doesNotMatch(stdout, /fresh \{"image"/);
+      }));
   }
 }
 
-test('what is fetched, and hashed, is so once for all nodes', watchdog, () => visit(true, async (page, requests) => {
-  await shows(page, 'fresh \\{"image"', 2);
-  for (const path of ['python/rclpy.zip', 'python/packages.zip', 'pyodide/python_stdlib.zip', 'pyodide/pyodide-lock.json', 'pyodide/pyodide.asm.wasm']) {
-    assert.equal(requests.filter((asked) => asked.endsWith(`/${path}`)).length, 1, path);
-  }
-}));
+test('what is fetched, and hashed, is so once for all nodes', watchdog, () =>
+  visit(true, async (page, requests) => {
+    await shows(page, 'fresh \\{"image"', 2);
+    for (const path of ['python/rclpy.zip', 'python/packages.zip', 'pyodide/python_stdlib.zip', 'pyodide/pyodide-lock.json', 'pyodide/pyodide.asm.wasm']) {
+      assert.equal(requests.filter((asked) => asked.endsWith(`/${path}`)).length, 1, path);
+    }
+  }));

@@ -95,7 +95,7 @@ test('a stepped run has no image, and the same random numbers each time', watchd
 });
 
 /** Opens the page and waits until so many nodes have told. */
-async function visit(context: BrowserContext, url: string, count = 3): Promise<{ readonly page: Page; readonly nodes: (Told | undefined)[] }> {
+async function visit(context: BrowserContext, url: string, count = 3): Promise<{ readonly page: Page; readonly nodes: (Told | undefined)[]; }> {
   const page = await context.newPage();
   await page.goto(url);
   await page.waitForFunction((least) => (document.body?.textContent?.match(/fresh \{"image".*?\}/g) ?? []).length >= least, count, patience);
@@ -150,7 +150,10 @@ for (const [link, isolated] of played(['port', false], ['shared', true])) {
 
 test('a node that is alone boots by itself at the first visit, and begins with an image at the next one', watchdog, async () => {
   assert.ok(browser);
-  const alone = makeSite([], {}, {}, { nodes: [{ entry: 'lib/chatter_py/fresh', executable: 'fresh', arguments: ['one'] }], packages: ownPackage('chatter_py') });
+  const alone = makeSite([], {}, {}, {
+    nodes: [{ entry: 'lib/chatter_py/fresh', executable: 'fresh', arguments: ['one'] }],
+    packages: ownPackage('chatter_py'),
+  });
   const host = await serveFolder(alone, { isolated: true });
   const context = await browser.newContext({ serviceWorkers: 'block' });
   try {

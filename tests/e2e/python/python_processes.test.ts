@@ -28,13 +28,26 @@ for (const link of played('shared', 'port')) {
   test(`${link}: no program is started, and each try is answered`, watchdog, async () => {
     const child = spawn(process.execPath, [headless, folder, '--link', link], { stdio: ['ignore', 'pipe', 'pipe'], cwd: join(folder, 'python') });
     let [out, err] = ['', ''];
-    child.stdout.on('data', (bytes: Buffer) => { out += bytes.toString(); });
-    child.stderr.on('data', (bytes: Buffer) => { err += bytes.toString(); });
+    child.stdout.on('data', (bytes: Buffer) => {
+      out += bytes.toString();
+    });
+    child.stderr.on('data', (bytes: Buffer) => {
+      err += bytes.toString();
+    });
     await new Promise((resolve) => child.on('close', resolve));
     const none = 'emscripten does not support processes.';
     assert.deepEqual(out.split('\n').filter((line) => line !== ''), [
-      `os.system('echo run >&2'): ${why}: nothing was run`, 'system 32512 32512 0 0', `popen ${none}`, `fork os.fork: ${why}`, `execv os.execv: ${why}`, `execlp os.execv: ${why}`,
-      `spawnl os.fork: ${why}`, `run ${none}`, `Popen ${none}`, `Process os.fork: ${why}`, 'posix -1',
+      `os.system('echo run >&2'): ${why}: nothing was run`,
+      'system 32512 32512 0 0',
+      `popen ${none}`,
+      `fork os.fork: ${why}`,
+      `execv os.execv: ${why}`,
+      `execlp os.execv: ${why}`,
+      `spawnl os.fork: ${why}`,
+      `run ${none}`,
+      `Popen ${none}`,
+      `Process os.fork: ${why}`,
+      'posix -1',
     ].map((line) => `[starts-1] ${line}`));
     // The output of a command that a shell ran would be here.
     assert.doesNotMatch(err, /^run$/m);

@@ -18,8 +18,13 @@ let port = 0;
 before(async () => {
   workspace = new PackWorkspace('shared');
   workspace.write('id_rsa', SECRET);
-  server = createServer((_request, response) => { callers += 1; response.end(SECRET); });
-  await new Promise<void>((done) => { server.listen(0, '127.0.0.1', done); });
+  server = createServer((_request, response) => {
+    callers += 1;
+    response.end(SECRET);
+  });
+  await new Promise<void>((done) => {
+    server.listen(0, '127.0.0.1', done);
+  });
   const address = server.address();
   assert.ok(address !== null && typeof address === 'object');
   port = address.port;

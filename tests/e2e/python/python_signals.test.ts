@@ -29,10 +29,18 @@ const ways: Readonly<Record<string, readonly [lines: readonly string[], code: nu
   left: [[], 3],
   cancelled: [['waits', 'cancelled True', 'goes on'], 0],
   loops: [[
-    'waits for a line', "read 'one\\n' True False", 'waits for a line', "streamed b'two\\n'",
+    'waits for a line',
+    "read 'one\\n' True False",
+    'waits for a line',
+    "streamed b'two\\n'",
     'add_reader: a program of a page waits for standard input only, not for file 7',
-    'add_writer: a program of a page writes to nothing that would keep it waiting', 'a program of a page cannot start another one',
-    'heard by a thread', 'heard by run_in_executor', 'waits', 'goes on True True False'], 0],
+    'add_writer: a program of a page writes to nothing that would keep it waiting',
+    'a program of a page cannot start another one',
+    'heard by a thread',
+    'heard by run_in_executor',
+    'waits',
+    'goes on True True False',
+  ], 0],
 };
 const idOf = (way: string): string => `${way}-${Object.keys(ways).indexOf(way) + 1}`;
 
@@ -66,7 +74,7 @@ for (const link of played('port', 'shared')) {
           session.stop(id);
         }
         const { state } = await reaches(session, id, 'exited');
-        assert.deepEqual([session.console(id).lines().map(({ text }) => text), (state as { code: number }).code], [lines, code], way);
+        assert.deepEqual([session.console(id).lines().map(({ text }) => text), (state as { code: number; }).code], [lines, code], way);
       }
     } finally {
       session.close();

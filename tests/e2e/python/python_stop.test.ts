@@ -34,8 +34,7 @@ const idOf = (way: string): string => `${way}-${ways.indexOf(way) + 1}`;
 const waiting = /^waits for ever$/;
 
 /** The node that another one waits for is stopped last. Nothing reaches a worker that computes without shared memory: it is killed. */
-const stoppable = (link: 'shared' | 'port'): readonly string[] =>
-  [...ways.slice(1), 'deaf'].filter((way) => way !== 'compute' || link === 'shared');
+const stoppable = (link: 'shared' | 'port'): readonly string[] => [...ways.slice(1), 'deaf'].filter((way) => way !== 'compute' || link === 'shared');
 
 let folder = '';
 let browser: Browser;
@@ -60,7 +59,7 @@ for (const link of played('port', 'shared')) {
       /** A publish waits once nothing more is said for a while. */
       const blocked = async (): Promise<void> => {
         await prints(session, idOf('publish'), /^sent \d+$/);
-        for (let seen = -1; ;) {
+        for (let seen = -1;;) {
           const { length } = session.console(idOf('publish')).lines();
           if (length === seen) return;
           seen = length;
@@ -78,7 +77,7 @@ for (const link of played('port', 'shared')) {
         const { state } = await reaches(session, idOf(way), 'exited');
         const took = performance.now() - begun;
         assert.ok(took < soonMs, `${way} ends after ${took} ms`);
-        assert.notEqual((state as { code: number }).code, killed, `${way} is killed`);
+        assert.notEqual((state as { code: number; }).code, killed, `${way} is killed`);
       }
       session.console(idOf('ask')).clear();
       session.start(idOf('ask'));
@@ -86,7 +85,7 @@ for (const link of played('port', 'shared')) {
       await prints(session, idOf('ask'), /^a line\? $/);
       session.sendInput(idOf('ask'), 'an answer\n');
       await prints(session, idOf('ask'), /^asked and told: an answer$/);
-      assert.equal(((await reaches(session, idOf('ask'), 'exited')).state as { code: number }).code, 0);
+      assert.equal(((await reaches(session, idOf('ask'), 'exited')).state as { code: number; }).code, 0);
     } finally {
       session.close();
       close();
@@ -102,8 +101,7 @@ for (const [link, isolated] of played(['shared', true], ['port', false])) {
       const page = await context.newPage();
       await page.goto(host.url);
       const running = (label: string) => page.getByRole('button', { name: `Stop /${label}`, exact: true });
-      const said = (text: string): Promise<unknown> =>
-        page.waitForFunction((wanted) => document.body.textContent.includes(wanted), text, { timeout: 120_000 });
+      const said = (text: string): Promise<unknown> => page.waitForFunction((wanted) => document.body.textContent.includes(wanted), text, { timeout: 120_000 });
       await said('a line? ');
       await typeInto(page, 'ask', 'an answer');
       await said('asked and told: an answer');
@@ -111,9 +109,12 @@ for (const [link, isolated] of played(['shared', true], ['port', false])) {
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
       // `publish` prints nothing when its wait begins: it waits once no more of its "sent" lines come.
       await page.waitForFunction(
-        (count) => document.body.textContent.split('waits for ever').length - 1 >= count, ways.length, { timeout: 120_000 });
+        (count) => document.body.textContent.split('waits for ever').length - 1 >= count,
+        ways.length,
+        { timeout: 120_000 },
+      );
       await said('sent ');
-      for (let seen = ''; ;) {
+      for (let seen = '';;) {
         // The last that was sent.
         const text = await page.evaluate(() => document.body.textContent.match(/sent \d+/g)?.at(-1) ?? '');
         if (text === seen) break;

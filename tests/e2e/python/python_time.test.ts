@@ -24,19 +24,41 @@ const answerMs = 20;
 const speed = 1000;
 /** In the order of tests/packages/chatter_py/scripts/passes. */
 const ways = [
-  'time.sleep', 'Event.wait', 'Condition.wait', 'Lock.acquire', 'Queue.get', 'select', 'Clock.sleep_for', 'Clock.sleep_until',
-  'timer', 'spin_until_future_complete', 'deadline', 'wait_for_service', 'wait_for_server', 'wait_for_message',
-  'asyncio.sleep', 'asyncio.wait_for', 'call_later', "thread's sleep", "thread's Event.wait", 'three at once', 'threading.Timer',
-  'future of a pool', 'timer of several threads', 'rate beside a spinning thread',
+  'time.sleep',
+  'Event.wait',
+  'Condition.wait',
+  'Lock.acquire',
+  'Queue.get',
+  'select',
+  'Clock.sleep_for',
+  'Clock.sleep_until',
+  'timer',
+  'spin_until_future_complete',
+  'deadline',
+  'wait_for_service',
+  'wait_for_server',
+  'wait_for_message',
+  'asyncio.sleep',
+  'asyncio.wait_for',
+  'call_later',
+  "thread's sleep",
+  "thread's Event.wait",
+  'three at once',
+  'threading.Timer',
+  'future of a pool',
+  'timer of several threads',
+  'rate beside a spinning thread',
 ];
 
 let folder = '';
 before(() => {
   const entry = 'lib/chatter_py/passes';
   folder = makeSite([], {}, {}, {
-    nodes: [{ entry, executable: 'passes' }, { entry, executable: 'long', arguments: [String(longS)] },
-      { entry: 'lib/chatter_py/answers', executable: 'serve', arguments: ['serve'] }, { entry: 'lib/chatter_py/answers', executable: 'ask', arguments: ['ask'] },
-    ],
+    nodes: [{ entry, executable: 'passes' }, { entry, executable: 'long', arguments: [String(longS)] }, {
+      entry: 'lib/chatter_py/answers',
+      executable: 'serve',
+      arguments: ['serve'],
+    }, { entry: 'lib/chatter_py/answers', executable: 'ask', arguments: ['ask'] }],
     packages: ownPackage('chatter_py'),
   });
 });

@@ -123,8 +123,10 @@ for (const link of played('shared', 'port')) {
       await t.test('node list and info', async () => {
         assert.equal(await shell.prints(['node', 'list']), '/gripper\n/robot\n');
         const info = await shell.prints(['node', 'info', '/robot']);
-        assert.match(info, /^\/robot\n {2}Subscribers:\n( {4}\/\S+: \S+\n)* {4}\/words: std_msgs\/msg\/String\n {2}Publishers:\n {4}\/chatter: std_msgs\/msg\/String\n {4}\/map: /);
-        assert.match(info, / {2}Service Servers:\n {4}\/add_two_ints: example_interfaces\/srv\/AddTwoInts\n {4}\/robot\/describe_parameters: rcl_interfaces\/srv\/DescribeParameters\n/);
+        assert.match(info,
+          /^\/robot\n {2}Subscribers:\n( {4}\/\S+: \S+\n)* {4}\/words: std_msgs\/msg\/String\n {2}Publishers:\n {4}\/chatter: std_msgs\/msg\/String\n {4}\/map: /);
+        assert.match(info,
+          / {2}Service Servers:\n {4}\/add_two_ints: example_interfaces\/srv\/AddTwoInts\n {4}\/robot\/describe_parameters: rcl_interfaces\/srv\/DescribeParameters\n/);
         assert.match(info, / {2}Service Clients:\n\n {2}Action Servers:\n {4}\/fibonacci: example_interfaces\/action\/Fibonacci\n {2}Action Clients:\n\n$/);
         const unknown = await shell.run(['node', 'info', '/nobody']);
         assert.deepEqual(unknown, { code: 1, out: '', warned: "Unable to find node '/nobody'\n" });
@@ -135,14 +137,18 @@ for (const link of played('shared', 'port')) {
         assert.deepEqual(list.trimEnd().split('\n'), ['/chatter', '/gripper/transition_event', '/map', '/parameter_events', '/place', '/rosout', '/words']);
         assert.match(await shell.prints(['topic', 'list', '-t']), /^\/chatter \[std_msgs\/msg\/String\]$/m);
         assert.match(await shell.prints(['topic', 'list', '--include-hidden-topics']), /^\/fibonacci\/_action\/feedback$/m);
-        assert.match(await shell.prints(['topic', 'list', '-v']), /^Published topics:\n \* \/chatter \[std_msgs\/msg\/String\] 1 publisher\n[^]*\n\nSubscribed topics:\n[^]* \* \/words \[std_msgs\/msg\/String\] 1 subscriber\n\n$/);
+        assert.match(await shell.prints(['topic', 'list', '-v']),
+          /^Published topics:\n \* \/chatter \[std_msgs\/msg\/String\] 1 publisher\n[^]*\n\nSubscribed topics:\n[^]* \* \/words \[std_msgs\/msg\/String\] 1 subscriber\n\n$/);
         assert.equal(await shell.prints(['topic', 'type', '/chatter']), 'std_msgs/msg/String\n');
         assert.equal(await shell.prints(['topic', 'find', 'std_msgs/msg/String']), '/chatter\n/map\n/words\n');
         assert.equal(await shell.prints(['topic', 'info', '/chatter']), 'Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 0\n');
-        assert.match(await shell.prints(['topic', 'info', '-v', '/place']), new RegExp(['^Type: geometry_msgs/msg/PointStamped', '', 'Publisher count: 1', '',
-          'Node name: robot', 'Node namespace: /', 'Topic type: geometry_msgs/msg/PointStamped', 'Topic type hash: RIHS01_[0-9a-f]{64}', 'Endpoint type: PUBLISHER',
-          'GID: [0-9a-f]{2}(?:\\.[0-9a-f]{2}){15}', 'QoS profile:', '  Reliability: BEST_EFFORT', '  History \\(Depth\\): KEEP_LAST \\(5\\)', '  Durability: VOLATILE',
-          '  Lifespan: Infinite', '  Deadline: Infinite', '  Liveliness: AUTOMATIC', '  Liveliness lease duration: Infinite', '', 'Subscription count: 0', '', '$'].join('\n')));
+        assert.match(await shell.prints(['topic', 'info', '-v', '/place']), new RegExp(
+          ['^Type: geometry_msgs/msg/PointStamped', '', 'Publisher count: 1', '', 'Node name: robot', 'Node namespace: /',
+            'Topic type: geometry_msgs/msg/PointStamped', 'Topic type hash: RIHS01_[0-9a-f]{64}', 'Endpoint type: PUBLISHER',
+            'GID: [0-9a-f]{2}(?:\\.[0-9a-f]{2}){15}', 'QoS profile:', '  Reliability: BEST_EFFORT', '  History \\(Depth\\): KEEP_LAST \\(5\\)',
+            '  Durability: VOLATILE', '  Lifespan: Infinite', '  Deadline: Infinite', '  Liveliness: AUTOMATIC', '  Liveliness lease duration: Infinite', '',
+            'Subscription count: 0', '', '$'].join('\n'),
+        ));
         // Whom its messages do not reach is said beside what upstream prints.
         const strict = session.node().subscription('/place', 'geometry_msgs/msg/PointStamped', { reliability: 'reliable' }, () => undefined);
         const misfit = await shell.run(['topic', 'info', '-v', '/place']);
@@ -155,23 +161,35 @@ for (const link of played('shared', 'port')) {
       await t.test('topic echo, hz, bw and delay', async () => {
         assert.match(await shell.prints(['topic', 'echo', '--once', '/chatter']), /^data: 'Hello World: \d+'\n---\n$/);
         assert.match(await shell.prints(['topic', 'echo', '--once', '--field', 'data', '/chatter']), /^Hello World: \d+\n---\n$/);
-        assert.match(await shell.prints(['topic', 'echo', '--once', '/place']), /^header:\n {2}stamp:\n {4}sec: \d+\n {4}nanosec: \d+\n {2}frame_id: map\npoint:\n {2}x: 0\.5\n {2}y: 2\.0\n {2}z: 0\.0\n---\n$/);
+        assert.match(await shell.prints(['topic', 'echo', '--once', '/place']),
+          /^header:\n {2}stamp:\n {4}sec: \d+\n {4}nanosec: \d+\n {2}frame_id: map\npoint:\n {2}x: 0\.5\n {2}y: 2\.0\n {2}z: 0\.0\n---\n$/);
         assert.match(await shell.prints(['topic', 'echo', '--once', '--csv', '--field', 'point', '/place']), /^0\.5,2(\.0)?,0(\.0)?\n$/);
         assert.equal(await shell.prints(['topic', 'echo', '--once', '--field', 'point.y', '/place']), '2.0\n---\n');
         assert.equal(await shell.prints(['topic', 'echo', '--once', '/map']), 'data: the map\n---\n');
         const several = await shell.run(['topic', 'echo', '/chatter'], /(data: 'Hello World: \d+'\n---\n){3}/);
         assert.equal(several.code, 0);
         const none = await shell.run(['topic', 'echo', '/none']);
-        assert.deepEqual(none, { code: 1, out: '', warned: 'WARNING: topic [/none] does not appear to be published yet\nCould not determine the type for the passed topic\n' });
+        assert.deepEqual(none, {
+          code: 1,
+          out: '',
+          warned: 'WARNING: topic [/none] does not appear to be published yet\nCould not determine the type for the passed topic\n',
+        });
         assert.match((await shell.run(['topic', 'echo', '--once', '--field', 'dta', '/chatter'])).warned, /^Invalid field 'dta'/);
         // Only each fifth one, and of a field only what fits it.
-        assert.match(await shell.prints(['topic', 'echo', '--once', '--filter', "int(m.data[-1]) % 5 == 0 and m.data.startswith('Hello')", '/chatter']), /^data: 'Hello World: \d*[05]'\n---\n$/);
-        assert.equal(await shell.prints(['topic', 'echo', '--once', '--field', 'point', '--filter', 'm.x < 1 < m.y', '/place']), 'x: 0.5\ny: 2.0\nz: 0.0\n---\n');
-        assert.deepEqual(await shell.run(['topic', 'echo', '--filter', 'm.dta', '/chatter']), { code: 1, out: '', warned: "AttributeError: the message has no attribute 'dta'\n" });
+        assert.match(await shell.prints(['topic', 'echo', '--once', '--filter', "int(m.data[-1]) % 5 == 0 and m.data.startswith('Hello')", '/chatter']),
+          /^data: 'Hello World: \d*[05]'\n---\n$/);
+        assert.equal(await shell.prints(['topic', 'echo', '--once', '--field', 'point', '--filter', 'm.x < 1 < m.y', '/place']),
+          'x: 0.5\ny: 2.0\nz: 0.0\n---\n');
+        assert.deepEqual(await shell.run(['topic', 'echo', '--filter', 'm.dta', '/chatter']), {
+          code: 1,
+          out: '',
+          warned: "AttributeError: the message has no attribute 'dta'\n",
+        });
         assert.match((await shell.run(['topic', 'echo', '--filter', 'import os', '/chatter'])).warned, /^NameError: name 'import' is not defined/);
         assert.match((await shell.run(['topic', 'hz', '--filter', 'm.data / 2', '/chatter'])).warned, /^TypeError: a str is not a number/);
         // About a fifth as many as all.
-        const [some, all] = [await shell.run(['topic', 'hz', '--filter', 'm.data[-1] in "05"', '/chatter'], /window: \d+\n/), await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/)];
+        const [some, all] = [await shell.run(['topic', 'hz', '--filter', 'm.data[-1] in "05"', '/chatter'], /window: \d+\n/),
+          await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/)];
         const rate = (out: string): number => Number(/^average rate: (.*)$/m.exec(out)?.[1]);
         assert.ok(rate(some.out) < 0.5 * rate(all.out), `${some.out}${all.out}`);
         const hz = await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/);
@@ -202,15 +220,22 @@ for (const link of played('shared', 'port')) {
         const failed = await shell.run(['wtf', '-rf']);
         strict.close();
         assert.equal(failed.code, 0);
-        assert.match(failed.warned, /^UserWarning: ERROR: QoS compatibility error found on topic '\/place': Best effort publisher and reliable subscription;$/m);
+        assert.match(failed.warned,
+          /^UserWarning: ERROR: QoS compatibility error found on topic '\/place': Best effort publisher and reliable subscription;$/m);
         assert.match(failed.out, /^\n1\/4 check\(s\) failed\n\nFailed modules: middleware\n\n {3}QOS COMPATIBILITY LIST\n/);
-        assert.ok(failed.out.includes(['topic [type]            : /place [geometry_msgs/msg/PointStamped]', 'publisher node          : robot',
-          'subscriber node         : _ros2wasm_page', 'compatibility status    : ERROR: Best effort publisher and reliable subscription;', ''].join('\n')), failed.out);
+        assert.ok(
+          failed.out.includes(
+            ['topic [type]            : /place [geometry_msgs/msg/PointStamped]', 'publisher node          : robot', 'subscriber node         : _ros2wasm_page',
+              'compatibility status    : ERROR: Best effort publisher and reliable subscription;', ''].join('\n'),
+          ),
+          failed.out,
+        );
         assert.match(failed.out, /\n {3}RMW MIDDLEWARE\nmiddleware name    : rmw_wasm_cpp\n$/);
-        assert.match((await shell.run(['doctor', '-iw'])).out, slow ? /^\n2\/4 check\(s\) failed\n\nFailed modules: network topic\n$/ : /^\n1\/4 check\(s\) failed\n\nFailed modules: topic\n$/);
+        assert.match((await shell.run(['doctor', '-iw'])).out,
+          slow ? /^\n2\/4 check\(s\) failed\n\nFailed modules: network topic\n$/ : /^\n1\/4 check\(s\) failed\n\nFailed modules: topic\n$/);
         const report = await shell.prints(['doctor', '--report']);
-        assert.deepEqual(report.match(/^ {3}.*/gm)?.map((title) => title.trim()), ['NETWORK CONFIGURATION', 'NODE LIST', 'PACKAGE VERSIONS', 'PLATFORM INFORMATION',
-          'QOS COMPATIBILITY LIST', 'RMW MIDDLEWARE', 'ROS 2 INFORMATION', 'TOPIC LIST']);
+        assert.deepEqual(report.match(/^ {3}.*/gm)?.map((title) => title.trim()), ['NETWORK CONFIGURATION', 'NODE LIST', 'PACKAGE VERSIONS',
+          'PLATFORM INFORMATION', 'QOS COMPATIBILITY LIST', 'RMW MIDDLEWARE', 'ROS 2 INFORMATION', 'TOPIC LIST']);
         assert.match(report, slow ? /^device {2}: none.* through message ports$/m : /^device {2}: none.* in shared memory$/m);
         assert.match(report, /\nnode {4}: robot-1\nstate {3}: running\n/);
         assert.match(report, /\nplatform info {4}: Node\.js/);
@@ -220,8 +245,9 @@ for (const link of played('shared', 'port')) {
       });
 
       await t.test('topic pub', async () => {
-        const out = await shell.prints(['topic', 'pub', '--once', '/words', 'std_msgs/msg/String', "{data: 'from the \"command\"'}"]);
-        assert.match(out, /^(Waiting for at least 1 matching subscription\(s\)\.\.\.\n)?publisher: beginning loop\npublishing #1: std_msgs\.msg\.String\(data='from the "command"'\)\n\n$/);
+        const out = await shell.prints(['topic', 'pub', '--once', '/words', 'std_msgs/msg/String', '{data: \'from the "command"\'}']);
+        assert.match(out,
+          /^(Waiting for at least 1 matching subscription\(s\)\.\.\.\n)?publisher: beginning loop\npublishing #1: std_msgs\.msg\.String\(data='from the "command"'\)\n\n$/);
         await printed(session, 'robot-1', /heard \[from the "command"\]/);
         const rated = await shell.prints(['topic', 'pub', '-r', '100', '-t', '5', '-p', '5', '/words', 'std_msgs/String', 'data: word']);
         assert.match(rated, /publisher: beginning loop\npublishing #5: /);
@@ -237,7 +263,8 @@ for (const link of played('shared', 'port')) {
         assert.match(await shell.prints(['service', 'list', '-t']), /^\/add_two_ints \[example_interfaces\/srv\/AddTwoInts\]\n/);
         assert.equal(await shell.prints(['service', 'type', '/add_two_ints']), 'example_interfaces/srv/AddTwoInts\n');
         assert.equal(await shell.prints(['service', 'find', 'example_interfaces/srv/AddTwoInts']), '/add_two_ints\n');
-        assert.equal(await shell.prints(['service', 'info', '/add_two_ints']), 'Type: example_interfaces/srv/AddTwoInts\nClients count: 0\nServices count: 1\n');
+        assert.equal(await shell.prints(['service', 'info', '/add_two_ints']),
+          'Type: example_interfaces/srv/AddTwoInts\nClients count: 0\nServices count: 1\n');
         assert.equal(await shell.prints(['service', 'call', '/add_two_ints', 'example_interfaces/srv/AddTwoInts', '{a: 2, b: -5}']),
           'requester: making request: example_interfaces.srv.AddTwoInts_Request(a=2, b=-5)\n\nresponse:\nexample_interfaces.srv.AddTwoInts_Response(sum=-3)\n\n');
       });
@@ -245,7 +272,8 @@ for (const link of played('shared', 'port')) {
       await t.test('action list, info, type and send_goal', async () => {
         const type = 'example_interfaces/action/Fibonacci';
         assert.equal(await shell.prints(['action', 'list', '-t']), `/fibonacci [${type}]\n`);
-        assert.equal(await shell.prints(['action', 'info', '-t', '/fibonacci']), `Action: /fibonacci\nAction clients: 0\nAction servers: 1\n    /robot [${type}]\n`);
+        assert.equal(await shell.prints(['action', 'info', '-t', '/fibonacci']),
+          `Action: /fibonacci\nAction clients: 0\nAction servers: 1\n    /robot [${type}]\n`);
         const sent = await shell.prints(['action', 'send_goal', '--feedback', '/fibonacci', type, '{order: 3}']);
         assert.match(sent, /^Waiting for an action server to become available\.\.\.\nSending goal:\n {5}order: 3\n\nGoal accepted with ID: [0-9a-f]{32}\n\n/);
         assert.match(sent, /\nFeedback:\n {4}sequence:\n- 0\n- 1\n- 1\n- 2\n\n/);
@@ -279,7 +307,8 @@ for (const link of played('shared', 'port')) {
       await t.test('lifecycle nodes, get, list and set', async () => {
         assert.equal(await shell.prints(['lifecycle', 'nodes']), '/gripper\n');
         assert.equal(await shell.prints(['lifecycle', 'get', '/gripper']), 'unconfigured [1]\n');
-        assert.match(await shell.prints(['lifecycle', 'list', '/gripper']), /^- configure \[1\]\n\tStart: unconfigured\n\tGoal: configuring\n- shutdown \[5\]\n/);
+        assert.match(await shell.prints(['lifecycle', 'list', '/gripper']),
+          /^- configure \[1\]\n\tStart: unconfigured\n\tGoal: configuring\n- shutdown \[5\]\n/);
         assert.equal(await shell.prints(['lifecycle', 'set', '/gripper', 'configure']), 'Transitioning successful\n');
         assert.equal(await shell.prints(['lifecycle', 'get']), '/gripper: inactive [2]\n');
         const unknown = await shell.run(['lifecycle', 'set', '/gripper', 'configure']);

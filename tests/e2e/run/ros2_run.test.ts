@@ -31,8 +31,11 @@ programs:
 test('site.json tells what the site carries beside its nodes', () => {
   const { nodes, programs } = JSON.parse(packed.workspace.read('site/site.json').toString()) as Record<string, Record<string, unknown>[]>;
   assert.deepEqual(nodes?.map((node) => node['executable']), ['robot', 'component_container']);
-  assert.deepEqual(programs?.map((program) => [program['package'], program['executable'], program['kind']]),
-    [['command_robot', 'gripper', 'cpp'], ['key_reader', 'keys', 'cpp']]);
+  assert.deepEqual(programs?.map((program) => [program['package'], program['executable'], program['kind']]), [['command_robot', 'gripper', 'cpp'], [
+    'key_reader',
+    'keys',
+    'cpp',
+  ]]);
 });
 
 test('programs that nobody has are refused when packing', async () => {
@@ -57,10 +60,12 @@ for (const link of played('shared', 'port')) {
   test(`${link}: from a shell`, watchdog, async () => {
     const site = packed.site;
     const ros2 = (...words: string[]) => packed.workspace.run(['ros2', '--link', link, site, ...words]);
-    assert.deepEqual(await ros2('pkg', 'executables', 'command_robot'),
-      { code: 0, stdout: 'command_robot gripper\ncommand_robot robot\n', stderr: '' });
-    assert.deepEqual(await ros2('run', 'command_robot', 'grippr'),
-      { code: 1, stdout: '', stderr: 'No executable found; of this package the site has: gripper, robot\n' });
+    assert.deepEqual(await ros2('pkg', 'executables', 'command_robot'), { code: 0, stdout: 'command_robot gripper\ncommand_robot robot\n', stderr: '' });
+    assert.deepEqual(await ros2('run', 'command_robot', 'grippr'), {
+      code: 1,
+      stdout: '',
+      stderr: 'No executable found; of this package the site has: gripper, robot\n',
+    });
     assert.deepEqual(await ros2('run', 'nobody', 'gripper'), { code: 1, stdout: '', stderr: "Package 'nobody' not found\n" });
 
     const keys = spawn(CLI, ['ros2', '--link', link, site, 'run', 'key_reader', 'keys'], { stdio: ['pipe', 'pipe', 'pipe'] });
@@ -71,8 +76,8 @@ for (const link of played('shared', 'port')) {
     assert.match(read.stdout, /key: a\nkey: b\nkey: x\n/);
 
     // From a terminal each key comes at once, without Enter.
-    const pty = spawn('python3', ['-c', 'import pty, sys; sys.exit(pty.spawn(sys.argv[1:]) >> 8)', CLI, 'ros2', '--link', link, site, 'run', 'key_reader', 'keys'],
-      { stdio: ['pipe', 'pipe', 'pipe'] });
+    const pty = spawn('python3', ['-c', 'import pty, sys; sys.exit(pty.spawn(sys.argv[1:]) >> 8)', CLI, 'ros2', '--link', link, site, 'run', 'key_reader',
+      'keys'], { stdio: ['pipe', 'pipe', 'pipe'] });
     const single = finished(pty);
     pty.stdout.once('data', () => pty.stdin.write('.kx'));
     const keyed = await single;

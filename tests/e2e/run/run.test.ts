@@ -66,7 +66,7 @@ describe('run', WATCHDOG, () => {
     const events = ended.output
       .trimEnd()
       .split('\n')
-      .map((line) => JSON.parse(line) as { event: string; node?: string; met?: boolean });
+      .map((line) => JSON.parse(line) as { event: string; node?: string; met?: boolean; });
     assert.ok(events.some(({ event, node }) => event === 'line' && node === 'listener-2'));
     assert.deepEqual(events.at(-1), { event: 'end', met: true });
   });

@@ -29,8 +29,7 @@ const contexts: BrowserContext[] = [];
 
 before(async () => {
   foreign = await serveFolder('/nowhere');
-  folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }],
-    { 'probe.js': probe.replace('FOREIGN', foreign.url) });
+  folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], { 'probe.js': probe.replace('FOREIGN', foreign.url) });
   browser = await chromium.launch(chromiumOptions());
 });
 
@@ -53,7 +52,7 @@ async function open(options: Parameters<Browser['newContext']>[0] = {}): Promise
 }
 
 async function heard(page: Page): Promise<void> {
-  await page.waitForFunction(() => (document.body?.textContent ?? "").includes('I heard: [Hello World'), null, { timeout: 120_000 });
+  await page.waitForFunction(() => (document.body?.textContent ?? '').includes('I heard: [Hello World'), null, { timeout: 120_000 });
 }
 
 /** Runs the probe as a worker from the site's URL, or from a blob: URL as nodes are started. */
@@ -164,7 +163,7 @@ test('a new version of the site is what the next visit shows, whatever the brows
     rmSync(changing, { recursive: true });
     renameSync(next, changing);
     await page.reload();
-    await page.waitForFunction(() => (document.body?.textContent ?? "").includes('COLOUR=red'), null, { timeout: 120_000 });
+    await page.waitForFunction(() => (document.body?.textContent ?? '').includes('COLOUR=red'), null, { timeout: 120_000 });
   } finally {
     await host.close();
     rmSync(changing, { recursive: true });
@@ -194,7 +193,7 @@ test('a program that was changed on the host is refused, and the others run', wa
   rmSync(changed, { recursive: true });
 });
 
-test('where no service worker can run, an old program in the browser\'s cache is not run with a new site', watchdog, async () => {
+test("where no service worker can run, an old program in the browser's cache is not run with a new site", watchdog, async () => {
   const changing = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }]);
   const host = await serveFolder(changing, { maxAge: 3600 });
   try {
@@ -291,7 +290,11 @@ test("the author's theme is shown, and the visitor's choice wins over it", watch
   const light = seen['auto on light'];
   assert.notEqual(dark, light);
   assert.deepEqual(seen, {
-    'dark on light': dark, 'the visitor on light': light, 'light on dark': light, 'auto on dark': dark, 'auto on light': light,
+    'dark on light': dark,
+    'the visitor on light': light,
+    'light on dark': light,
+    'auto on dark': dark,
+    'auto on light': light,
   });
 });
 

@@ -25,22 +25,23 @@ interface Heard {
   readonly event: string;
   readonly topic?: string;
   readonly message?: Readonly<Record<string, unknown>>;
-  readonly state?: { readonly nodes: readonly { readonly id: string; readonly state: string }[] };
+  readonly state?: { readonly nodes: readonly { readonly id: string; readonly state: string; }[]; };
 }
 
 /** Waits until the page around the frame has heard such an event. */
 function heard(page: Page, event: string, test: string): Promise<Heard> {
   return page
     .waitForFunction(
-      ([name, body]) => (globalThis as unknown as { heard: Heard[] }).heard.findLast(
-        (one) => one.event === name && Boolean(new Function('one', `return ${body}`)(one)),
-      ),
+      ([name, body]) =>
+        (globalThis as unknown as { heard: Heard[]; }).heard.findLast(
+          (one) => one.event === name && Boolean(new Function('one', `return ${body}`)(one)),
+        ),
       [event, test],
     )
     .then((handle) => handle.jsonValue() as Promise<Heard>);
 }
 
-async function visit(parent: EmbeddingPage, rest = '&panel=turtlesim'): Promise<{ page: Page; frame: Frame }> {
+async function visit(parent: EmbeddingPage, rest = '&panel=turtlesim'): Promise<{ page: Page; frame: Frame; }> {
   const { page, frame } = await parent.open(browser, `${site.url}?embed=1${rest}`, { width: 640, height: 460 });
   await heard(page, 'ready', 'true');
   return { page, frame };
@@ -97,12 +98,12 @@ describe('a page that the manifest lists', { timeout: 300_000 }, () => {
     assert.deepEqual(spawned, { name: 'friend' });
     await done(page, { do: 'set_parameter', node: '/turtlesim', name: 'background_r', value: 200 });
     if (SHOTS !== undefined) await page.screenshot({ path: `${SHOTS}/embed_turtlesim.png` });
-    const [{ id } = assert.fail()] = ((await done(page, { do: 'state' })) as { nodes: { id: string }[] }).nodes;
+    const [{ id } = assert.fail()] = ((await done(page, { do: 'state' })) as { nodes: { id: string; }[]; }).nodes;
     await done(page, { do: 'stop', node: id });
     await heard(page, 'state', `one.state.nodes.find((node) => node.id === "${id}").state !== "running"`);
     await done(page, { do: 'start', node: id });
     await heard(page, 'state', `one.state.nodes.find((node) => node.id === "${id}").state === "running"`);
-    const checks = await done(page, { do: 'run_checks' }) as { title: string; state: string }[];
+    const checks = await done(page, { do: 'run_checks' }) as { title: string; state: string; }[];
     assert.equal(checks.length, 3);
     assert.ok(checks.every(({ state }) => state !== 'waiting'));
     await done(page, { do: 'unsubscribe', subscription: 1 });
@@ -130,7 +131,7 @@ describe('a page that the manifest lists', { timeout: 300_000 }, () => {
     const { page } = await visit(course);
     const replies = await page.evaluate(async () => {
       const told: Reply[] = [];
-      const { ask } = globalThis as unknown as { ask: (order: unknown) => Promise<Reply> };
+      const { ask } = globalThis as unknown as { ask: (order: unknown) => Promise<Reply>; };
       for (let i = 0; i < 5000; i += 1) void ask({ do: 'state' }).then((reply) => told.push(reply));
       await new Promise((go) => setTimeout(go, 3000));
       return told;
@@ -147,20 +148,27 @@ describe('a page that the manifest lists', { timeout: 300_000 }, () => {
 describe('any other page', { timeout: 300_000 }, () => {
   test('sees the state of the nodes, and acts on nothing', async () => {
     const { page, frame } = await visit(stranger);
-    assert.equal((await done(page, { do: 'hello' }) as { may: string }).may, 'read');
+    assert.equal((await done(page, { do: 'hello' }) as { may: string; }).may, 'read');
     await done(page, { do: 'watch' });
     await heard(page, 'state', 'one.state.nodes.every((node) => node.state === "running")');
     const acts: readonly Readonly<Record<string, unknown>>[] = [
-      { do: 'stop' }, { do: 'start' }, { do: 'restart' }, { do: 'publish', topic: '/turtle1/cmd_vel', type: 'geometry_msgs/msg/Twist' },
-      { do: 'subscribe', topic: '/rosout' }, { do: 'unsubscribe', subscription: 1 }, { do: 'call', service: '/clear', type: 'std_srvs/srv/Empty' },
-      { do: 'set_parameter', node: '/turtlesim', name: 'background_r', value: 1 }, { do: 'checks' }, { do: 'run_checks' },
+      { do: 'stop' },
+      { do: 'start' },
+      { do: 'restart' },
+      { do: 'publish', topic: '/turtle1/cmd_vel', type: 'geometry_msgs/msg/Twist' },
+      { do: 'subscribe', topic: '/rosout' },
+      { do: 'unsubscribe', subscription: 1 },
+      { do: 'call', service: '/clear', type: 'std_srvs/srv/Empty' },
+      { do: 'set_parameter', node: '/turtlesim', name: 'background_r', value: 1 },
+      { do: 'checks' },
+      { do: 'run_checks' },
     ];
     for (const act of acts) assert.match(await refused(page, act), new RegExp(`^R2W0751: the page ${stranger.origin} may look`));
-    const state = await done(page, { do: 'state' }) as { nodes: { state: string }[] };
+    const state = await done(page, { do: 'state' }) as { nodes: { state: string; }[]; };
     assert.ok(state.nodes.every((node) => node.state === 'running'));
     // Not from a window that is not around the frame, whatever its origin.
     await frame.evaluate(() => window.postMessage({ ros2wasm: 1, id: 1, do: 'stop' }, '*'));
-    const again = await done(page, { do: 'state' }) as { nodes: { state: string }[] };
+    const again = await done(page, { do: 'state' }) as { nodes: { state: string; }[]; };
     assert.ok(again.nodes.every((node) => node.state === 'running'));
     await page.context().close();
   });
@@ -168,7 +176,7 @@ describe('any other page', { timeout: 300_000 }, () => {
   test('asks how high the frame should be, and nothing scrolls in one of that height', async () => {
     const { page, frame } = await visit(stranger, '&panel=text');
     await frame.getByRole('heading', { name: 'Drive a turtle' }).waitFor();
-    const { height } = await done(page, { do: 'height' }) as { height: number };
+    const { height } = await done(page, { do: 'height' }) as { height: number; };
     assert.ok(height > 460 && height < 3000, String(height));
     await page.evaluate((px) => document.querySelector('iframe')!.setAttribute('height', String(px)), height);
     await frame.waitForFunction((px) => innerHeight === px, height);
@@ -196,7 +204,7 @@ describe('any other page', { timeout: 300_000 }, () => {
     const { page, frame } = await course.open(browser, site.url);
     await frame.locator('header').waitFor();
     const silent = await page.evaluate(() => {
-      const { ask } = globalThis as unknown as { ask: (order: unknown) => Promise<unknown> };
+      const { ask } = globalThis as unknown as { ask: (order: unknown) => Promise<unknown>; };
       return Promise.race([ask({ do: 'hello' }), new Promise((go) => setTimeout(() => go('silent'), 1500))]);
     });
     assert.equal(silent, 'silent');

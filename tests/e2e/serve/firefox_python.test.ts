@@ -34,7 +34,8 @@ before(() => {
 after(() => rmSync(folder, { recursive: true }));
 
 /** In the page: until an expression holds. */
-const until = (expression: string): string => `new Promise((resolve) => {
+const until = (expression: string): string =>
+  `new Promise((resolve) => {
   const look = () => (${expression}) ? resolve(true) : setTimeout(look, 20);
   look();
 })`;

@@ -21,7 +21,8 @@ let folder = '';
 before(async () => {
   const entry = 'lib/chatter_py/forges';
   folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], {}, {}, {
-    nodes: forged.map((text) => ({ entry, executable: 'forges', arguments: [text] })), packages: ownPackage('chatter_py'),
+    nodes: forged.map((text) => ({ entry, executable: 'forges', arguments: [text] })),
+    packages: ownPackage('chatter_py'),
   });
   browser = await chromium.launch(chromiumOptions());
 });

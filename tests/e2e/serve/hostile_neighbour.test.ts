@@ -25,7 +25,8 @@ const watchdog = { timeout: 240_000 };
 const patience = { timeout: 100_000 };
 const host = mkdtempSync(join(tmpdir(), 'ros2wasm-origin-'));
 const python = makeSite([], {}, {}, {
-  nodes: [{ entry: 'lib/chatter_py/reaches', executable: 'reaches', arguments: ['start.js'] }], packages: ownPackage('chatter_py'),
+  nodes: [{ entry: 'lib/chatter_py/reaches', executable: 'reaches', arguments: ['start.js'] }],
+  packages: ownPackage('chatter_py'),
 });
 let browser: Browser;
 
@@ -54,7 +55,8 @@ interface Reached {
 }
 
 /** Names of doors that a browser may add one day: what they lead to has to be looked at, and they be taken or listed here. */
-const doorNames = /cache|storage|idb|indexed|lock|worker$|channel|socket|transport|eventsource|rtc(?!p|enc|t)|filesystem|bucket|usb|serial|hid|broadcast|realm|cookie/i;
+const doorNames =
+  /cache|storage|idb|indexed|lock|worker$|channel|socket|transport|eventsource|rtc(?!p|enc|t)|filesystem|bucket|usb|serial|hid|broadcast|realm|cookie/i;
 /** `MessageChannel` leads to who has the other port; the others are values and have no way to make what they are of. */
 const harmless = /^(MessageChannel|AbortController)$|(Event|Error|Result|Packet|Stream|Interface|Configuration|Endpoint|Transformer)$/;
 
@@ -227,7 +229,7 @@ test('the victim, then a hostile page beside it, and later visits', watchdog, as
     await offlineReady(first);
     await attack(context, server.url);
     // Files that the page loads later are those of its host, too.
-    const script = JSON.parse(readFileSync(join(host, 'victim/site.json'), 'utf8')) as { files: { path: string; sha256: string }[] };
+    const script = JSON.parse(readFileSync(join(host, 'victim/site.json'), 'utf8')) as { files: { path: string; sha256: string; }[]; };
     const later = script.files.filter(({ path }) => path.endsWith('.js'));
     for (const { path, sha256: hash } of later.slice(0, 8)) {
       const text = await first.evaluate(async (name) => (await fetch(name)).text(), path);
@@ -265,15 +267,16 @@ async function imageOf(context: BrowserContext, url: string, meanwhile: (page: P
   const text = await page.evaluate(() => document.body.textContent ?? '');
   await meanwhile(page);
   await page.close();
-  return (JSON.parse(/reaches (\{.*?\})/.exec(text)?.[1] ?? '') as { image: boolean }).image;
+  return (JSON.parse(/reaches (\{.*?\})/.exec(text)?.[1] ?? '') as { image: boolean; }).image;
 }
 
 async function imageIsKept(page: Page): Promise<void> {
-  await eventually('an image is kept', () => page.evaluate(async () => {
-    const cache = await caches.open('ros2wasm-kept');
-    const found = await Promise.all((await cache.keys()).map(async (key) => (await (await cache.match(key))?.blob())?.size ?? 0));
-    return found.some((size) => size > 1 << 20) && Object.keys(localStorage).some((key) => key.startsWith('ros2wasm.kept '));
-  }));
+  await eventually('an image is kept', () =>
+    page.evaluate(async () => {
+      const cache = await caches.open('ros2wasm-kept');
+      const found = await Promise.all((await cache.keys()).map(async (key) => (await (await cache.match(key))?.blob())?.size ?? 0));
+      return found.some((size) => size > 1 << 20) && Object.keys(localStorage).some((key) => key.startsWith('ros2wasm.kept '));
+    }));
 }
 
 /** One bit of each image, near its end: what reads images cannot notice it. */
@@ -288,7 +291,7 @@ async function changeImages(page: Page): Promise<void> {
   });
 }
 
-test('an interpreter\'s image that somebody has changed in the cache is not begun with', watchdog, async () => {
+test("an interpreter's image that somebody has changed in the cache is not begun with", watchdog, async () => {
   await withHost(async (context, { url }) => {
     assert.equal(await imageOf(context, url, imageIsKept), false);
     assert.equal(await imageOf(context, url, changeImages), true);

@@ -44,8 +44,8 @@ test('Chromium finds nothing that keeps it from being installed', WATCHDOG, asyn
   assert.deepEqual(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== 'in-incognito'), []);
   const { data, errors } = await tools.send('Page.getAppManifest');
   assert.deepEqual(errors, []);
-  const manifest = JSON.parse(data ?? '') as { name: string; start_url: string; display: string };
-  const { title } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { title: string };
+  const manifest = JSON.parse(data ?? '') as { name: string; start_url: string; display: string; };
+  const { title } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { title: string; };
   assert.deepEqual([manifest.name, manifest.start_url, manifest.display], [title, './', 'standalone']);
   await context.close();
 });
@@ -69,7 +69,7 @@ test('without a network it opens again, with panels that were never opened', WAT
 
 interface SiteJson {
   title: string;
-  files: { path: string; sha256: string }[];
+  files: { path: string; sha256: string; }[];
 }
 
 // Guarantee, robust: a page that is open goes on with the files that it was opened with when the site is packed anew; the next visit

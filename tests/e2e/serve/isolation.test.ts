@@ -59,7 +59,7 @@ function probedCopy(from: string, foreignUrl: string): string {
   const script = probeScript(foreignUrl, 'node') + readFileSync(join(folder, name), 'utf8');
   writeFileSync(join(folder, name), script);
   const list = join(folder, 'site.json');
-  const json = JSON.parse(readFileSync(list, 'utf8')) as { files: { path: string; size: number; sha256: string }[] };
+  const json = JSON.parse(readFileSync(list, 'utf8')) as { files: { path: string; size: number; sha256: string; }[]; };
   const entry = json.files.find(({ path }) => path === name) ?? assert.fail();
   entry.size = Buffer.byteLength(script);
   entry.sha256 = createHash('sha256').update(script).digest('hex');
@@ -145,7 +145,7 @@ async function visit(options: BrowserContextOptions = {}): Promise<Visit> {
 
 async function heard(page: Page): Promise<void> {
   await page.waitForFunction(
-    () => /I heard: 'Hello, world! \d+'/.test((document.body?.innerText ?? "")),
+    () => /I heard: 'Hello, world! \d+'/.test(document.body?.innerText ?? ''),
     null,
     { timeout: HEARD_MS },
   );
@@ -164,11 +164,11 @@ function assertNothingLeft(requests: readonly string[], base: string): void {
 
 async function probes(page: Page, count: number): Promise<Probe[]> {
   await page.waitForFunction(
-    (wanted) => (globalThis as { found?: unknown[] }).found?.length === wanted,
+    (wanted) => (globalThis as { found?: unknown[]; }).found?.length === wanted,
     count,
     { timeout: HEARD_MS },
   );
-  return page.evaluate(() => (globalThis as unknown as { found: Probe[] }).found);
+  return page.evaluate(() => (globalThis as unknown as { found: Probe[]; }).found);
 }
 
 const REFUSED: Probe = { eval: 'EvalError', construct: 'EvalError', request: 'NetworkError' };

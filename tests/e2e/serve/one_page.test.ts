@@ -38,7 +38,7 @@ after(async () => {
 });
 
 /** Opens it from disk; what it asks of any network, and what went wrong in it. */
-async function open(path: string): Promise<{ page: Page; asked: string[]; wrong: string[] }> {
+async function open(path: string): Promise<{ page: Page; asked: string[]; wrong: string[]; }> {
   const page = await browser.newPage();
   const asked: string[] = [];
   const wrong: string[] = [];
@@ -103,7 +103,7 @@ test('its policy holds: no text becomes code, and no host is reached, from the p
   await shows(page, 'I heard:');
   await page.addScriptTag({ content: "globalThis.owned = 'inline'" }).catch(() => undefined);
   const found = await page.evaluate(async (address) => {
-    document.body.insertAdjacentHTML('beforeend', "<img src=x onerror=\"globalThis.owned = 'handler'\"><style>body{color:red}</style>");
+    document.body.insertAdjacentHTML('beforeend', '<img src=x onerror="globalThis.owned = \'handler\'"><style>body{color:red}</style>');
     const tried = async (task: () => unknown): Promise<string> => {
       try {
         await task();
@@ -124,7 +124,8 @@ test('its policy holds: no text becomes code, and no host is reached, from the p
     });
     return {
       page: [await tried(() => fetch(`${address}page`)), await tried(() => new Function('return 1')())],
-      inWorker, owned: (globalThis as { owned?: string }).owned,
+      inWorker,
+      owned: (globalThis as { owned?: string; }).owned,
     };
   }, url);
   assert.deepEqual(found, { page: ['TypeError', 'EvalError'], inWorker: ['TypeError', 'EvalError'], owned: undefined });
@@ -145,10 +146,11 @@ function changed(name: string, change: (page: string) => string): string {
 /** The page with other bytes in one of its files. */
 function changedFile(name: string, path: string, change: (text: string) => string): string {
   const block = new RegExp(`(data-path="${path}">)([^<]*)`);
-  return changed(name, (page) => page.replace(block, (_, mark: string, text: string) => {
-    const bytes = inflateRawSync(Buffer.from(text, 'base64')).toString('latin1');
-    return mark + deflateRawSync(Buffer.from(change(bytes), 'latin1')).toString('base64');
-  }));
+  return changed(name, (page) =>
+    page.replace(block, (_, mark: string, text: string) => {
+      const bytes = inflateRawSync(Buffer.from(text, 'base64')).toString('latin1');
+      return mark + deflateRawSync(Buffer.from(change(bytes), 'latin1')).toString('base64');
+    }));
 }
 
 // Guarantee, verified: a site in one page: `verify` reads each file and what stands around them, and the page runs none that is changed
@@ -156,21 +158,24 @@ test('what was changed in the page is found by verify, and a changed script or p
   const whole = await runCli(['verify', file]);
   assert.equal(whole.code, 0, whole.errors);
   const script = changedFile('script.html', 'start.js', (text) => `globalThis.owned = 1;${text}`);
-  const program = changedFile('program.html', 'programs/tutorial_talker/talker.wasm', (text) => text.slice(0, -1) + String.fromCharCode(text.charCodeAt(text.length - 1) ^ 1));
+  const program = changedFile('program.html', 'programs/tutorial_talker/talker.wasm',
+    (text) => text.slice(0, -1) + String.fromCharCode(text.charCodeAt(text.length - 1) ^ 1));
   for (const [path, of] of [[script, 'start\\.js'], [program, 'programs/tutorial_talker/talker\\.wasm']] as const) {
     const found = await runCli(['verify', path]);
     assert.equal(found.code, 1);
     assert.match(found.errors, new RegExp(`error\\[R2W0650\\]: \`${of}\` is not the file`));
     const { page } = await open(path);
     await shows(page, 'R2W0724');
-    assert.equal(await page.evaluate(() => (globalThis as { owned?: number }).owned), undefined);
+    assert.equal(await page.evaluate(() => (globalThis as { owned?: number; }).owned), undefined);
     await page.close();
   }
-  for (const change of [
-    (page: string) => page.replace('-->', '--><script>alert(1)</script><!-- -->'),
-    (page: string) => page.replace("default-src 'none'", 'default-src *'),
-    (page: string) => page.replace('</body>', '<script>alert(1)</script></body>'),
-  ]) {
+  for (
+    const change of [
+      (page: string) => page.replace('-->', '--><script>alert(1)</script><!-- -->'),
+      (page: string) => page.replace("default-src 'none'", 'default-src *'),
+      (page: string) => page.replace('</body>', '<script>alert(1)</script></body>'),
+    ]
+  ) {
     const found = await runCli(['verify', changed('around.html', change)]);
     assert.equal(found.code, 1);
     assert.match(found.errors, /error\[R2W0650\]: `around\.html` .*\n {3}= why: what stands around the site's files is not its own/);

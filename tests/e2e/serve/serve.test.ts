@@ -32,8 +32,7 @@ function ask(
           status: response.statusCode ?? 0,
           headers: response.headers,
           body: Buffer.concat(pieces),
-        }),
-      );
+        }));
     });
     sent.on('error', reject);
     sent.end();
@@ -97,7 +96,6 @@ describe('headers', WATCHDOG, () => {
     assert.equal(again.status, 304);
     assert.equal(again.headers['content-security-policy'], `sandbox; ${usual}`);
   });
-
 
   test('--no-isolation leaves the isolation headers out', async () => {
     using scratch = new Scratch();
@@ -175,21 +173,23 @@ describe('files', WATCHDOG, () => {
   test('nothing outside of the site', async () => {
     using scratch = new Scratch();
     await using server = await ServedSite.start([siteWithFiles(scratch), '--port', '0']);
-    for (const path of [
-      '/../secret.txt',
-      '/%2e%2e/secret.txt',
-      '/%2E%2E%2Fsecret.txt',
-      '/docs/../../secret.txt',
-      '/docs/..%2f..%2fsecret.txt',
-      '/..%5csecret.txt',
-      '/leak.txt',
-      '/up/secret.txt',
-      '/up/site/index.html/../../../secret.txt',
-      '//etc/passwd',
-      '/%2fetc/passwd',
-      '/index.html%00.txt',
-      '/missing.txt',
-    ]) {
+    for (
+      const path of [
+        '/../secret.txt',
+        '/%2e%2e/secret.txt',
+        '/%2E%2E%2Fsecret.txt',
+        '/docs/../../secret.txt',
+        '/docs/..%2f..%2fsecret.txt',
+        '/..%5csecret.txt',
+        '/leak.txt',
+        '/up/secret.txt',
+        '/up/site/index.html/../../../secret.txt',
+        '//etc/passwd',
+        '/%2fetc/passwd',
+        '/index.html%00.txt',
+        '/missing.txt',
+      ]
+    ) {
       const answer = await ask(server, path);
       assert.equal(answer.status, 404, path);
       assert.doesNotMatch(answer.body.toString(), /secret|root:/);
@@ -222,7 +222,8 @@ describe('files', WATCHDOG, () => {
     const object = 'c'.repeat(64);
     const scripts = 'a'.repeat(64);
     scratch.file('deep/sites/one/index.html', 'one');
-    scratch.file('deep/sites/one/site.json', JSON.stringify({ generator: 'ros2wasm 1.0.0', store: { objects: '../../../STORE/objects/', scripts }, files: [] }));
+    scratch.file('deep/sites/one/site.json',
+      JSON.stringify({ generator: 'ros2wasm 1.0.0', store: { objects: '../../../STORE/objects/', scripts }, files: [] }));
     scratch.file('STORE/objects/store.json', '{"generator":"ros2wasm","store":1}\n');
     scratch.file(`STORE/objects/${object}.wasm`, 'object');
     scratch.file(`STORE/objects/${scripts}/start.js`, 'script');
@@ -235,7 +236,10 @@ describe('files', WATCHDOG, () => {
     assert.equal((await ask(server, `/STORE/objects/${scripts}/start.js`)).body.toString(), 'script');
     assert.equal((await ask(server, '/')).headers.location, '/deep/sites/one/');
     assert.equal((await ask(server, '/deep/sites/one')).headers.location, './one/');
-    for (const path of ['/STORE/objects/notes.txt', '/STORE/objects/', '/STORE/secret.txt', '/deep/secret.txt', '/deep/sites/two/', `/STORE/objects/${'d'.repeat(64)}`, `/STORE/objects/${scripts}/../notes.txt`]) {
+    for (
+      const path of ['/STORE/objects/notes.txt', '/STORE/objects/', '/STORE/secret.txt', '/deep/secret.txt', '/deep/sites/two/',
+        `/STORE/objects/${'d'.repeat(64)}`, `/STORE/objects/${scripts}/../notes.txt`]
+    ) {
       const answer = await ask(server, path);
       assert.equal(answer.status, 404, path);
       assert.doesNotMatch(answer.body.toString(), /secret/);

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { packExample } from '../support/example_site.ts';
 import { Scratch, runCli } from '../support/served_site.ts';
 
-const kExample = fileURLToPath(new URL('../../../examples/08_house', import.meta.url));
+const EXAMPLE = fileURLToPath(new URL('../../../examples/08_house', import.meta.url));
 const watchdog = { timeout: 300_000 };
 const scratch = new Scratch();
 let site: string;
@@ -26,7 +26,7 @@ test('its checks pass', watchdog, async () => {
   assert.equal(run.code, 0, run.output + run.errors);
   assert.match(run.output + run.errors, /3 of 3 checks passed/);
   let rest = run.output;
-  for (const line of readFileSync(join(kExample, 'expected.txt'), 'utf8').trimEnd().split('\n')) {
+  for (const line of readFileSync(join(EXAMPLE, 'expected.txt'), 'utf8').trimEnd().split('\n')) {
     const found = new RegExp(line).exec(rest);
     assert.ok(found, `${line} not in\n${rest}`);
     rest = rest.slice(found.index);

@@ -7,21 +7,21 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, Locator, Page } from 'playwright-core';
-import { chromiumOptions, kSoftwareWebGl } from '../support/chromium.ts';
+import { chromiumOptions, SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { packExample } from '../support/example_site.ts';
 import { Scratch, ServedSite, runCli } from '../support/served_site.ts';
 
-const kExample = fileURLToPath(new URL('../../../examples/05_mobile_robot', import.meta.url));
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const EXAMPLE = fileURLToPath(new URL('../../../examples/05_mobile_robot', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 const watchdog = { timeout: 600_000 };
 const scratch = new Scratch();
 let site: string;
 let browser: Browser;
 
 before(async () => {
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
   site = await packExample(scratch, '05_mobile_robot');
-  browser = await chromium.launch(chromiumOptions(kSoftwareWebGl));
+  browser = await chromium.launch(chromiumOptions(SOFTWARE_WEB_GL));
 });
 
 after(async () => {
@@ -35,7 +35,7 @@ test('the robot drives to its first goal, its checks pass, and it can begin stan
   assert.equal(stepped.code, 0, stepped.output + stepped.errors);
   assert.match(stepped.output + stepped.errors, /4 of 4 checks passed/);
   let rest = stepped.output;
-  for (const line of readFileSync(join(kExample, 'expected.txt'), 'utf8').trimEnd().split('\n')) {
+  for (const line of readFileSync(join(EXAMPLE, 'expected.txt'), 'utf8').trimEnd().split('\n')) {
     const found = new RegExp(line).exec(rest);
     assert.ok(found, `${line} not in\n${rest}`);
     rest = rest.slice(found.index);
@@ -54,7 +54,9 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
   page.setDefaultTimeout(120_000);
   const troubles: string[] = [];
-  page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
+  page.on('console', (message) => {
+    if (message.type() === 'error') troubles.push(message.text());
+  });
   page.on('pageerror', (error) => troubles.push(error.message));
   await page.goto(server.url);
   await page.getByRole('heading', { name: 'Tune a controller' }).waitFor();
@@ -63,7 +65,8 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   // Its plots: how far it is from where it goes, by how much it looks aside, and how fast it turns.
   const plotted = page.locator('.panel-plot .path');
   await page.waitForFunction(() =>
-    [...document.querySelectorAll('.panel-plot .path-value')].filter((each) => /^-?\d/.test(each.textContent ?? '')).length === 3);
+    [...document.querySelectorAll('.panel-plot .path-value')].filter((each) => /^-?\d/.test(each.textContent ?? '')).length === 3
+  );
   assert.deepEqual(await plotted.locator('.path-name').allInnerTexts(), ['/distance.data', '/heading_error.data', '/odom.twist.twist.angular.z']);
   // Near the goal at last: the plot is drawn a moment after the console.
   await page.waitForFunction(() => {
@@ -76,7 +79,7 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   await canvas.click({ position: { x: box.width * 0.62, y: box.height * 0.62 } });
   await page.getByText(/Driving to/).nth(1).waitFor();
   await reached(page, 2);
-  await page.screenshot({ path: join(kOutput, 'mobile_robot.png') });
+  await page.screenshot({ path: join(OUTPUT, 'mobile_robot.png') });
   await follow(page, 'without damping');
   await follow(page, 'Turn harder');
   await follow(page, 'west');
@@ -88,19 +91,19 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   await page.getByText(/Something is 0\.\d\d m ahead: no further/).first().waitFor();
   await follow(page, 'without its eyes');
   await page.getByText('Bumped into a wall').first().waitFor();
-  await page.screenshot({ path: join(kOutput, 'mobile_robot_wall.png') });
+  await page.screenshot({ path: join(OUTPUT, 'mobile_robot_wall.png') });
   // The tasks: what was done above counts, what was not done does not.
   await page.getByRole('tab', { name: 'Tasks' }).click();
   await task(page, 'Drive into a wall').getByText(/^Done/).waitFor();
   assert.equal(await task(page, 'Odometry that errs').getByText(/^Done/).count(), 0);
-  await page.screenshot({ path: join(kOutput, 'mobile_robot_tasks.png') });
+  await page.screenshot({ path: join(OUTPUT, 'mobile_robot_tasks.png') });
   assert.deepEqual(troubles, []);
   await page.close();
 });
 
 // Compatibility, works: an `.rviz` file as RViz saves it, which a launch file gives to `rviz2 -d`: its displays, groups, fixed frame, view and tools
 test('the 3D view shows what the launch file gives to rviz2', watchdog, async () => {
-  const { ui } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { readonly ui: { readonly opens: unknown } };
+  const { ui } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { readonly ui: { readonly opens: unknown; }; };
   assert.deepEqual(ui.opens, [{ panel: 'scene', file: 'share/mobile_robot/rviz/robot.rviz' }]);
   await using server = await ServedSite.start([site, '--port', '0']);
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
@@ -123,9 +126,13 @@ test('the 3D view shows what the launch file gives to rviz2', watchdog, async ()
   await ticked(displays);
   const list = page.locator('.scene-list');
   assert.equal(await list.getByRole('checkbox', { name: '/odom' }).isChecked(), false);
-  assert.deepEqual(await list.locator(':scope > .check input[type=checkbox]').evaluateAll((boxes) => boxes.map((box) => (box as HTMLInputElement).checked)), [true, false, true]);
+  assert.deepEqual(await list.locator(':scope > .check input[type=checkbox]').evaluateAll((boxes) => boxes.map((box) => (box as HTMLInputElement).checked)), [
+    true,
+    false,
+    true,
+  ]);
   assert.equal(await list.locator('.scene-problem').count(), 0);
-  await page.screenshot({ path: join(kOutput, 'mobile_robot_rviz.png') });
+  await page.screenshot({ path: join(OUTPUT, 'mobile_robot_rviz.png') });
   // Others may be ticked, and the menu brings back what the file says.
   await list.getByRole('checkbox', { name: '/odom' }).check();
   await list.getByRole('checkbox', { name: '/map' }).uncheck();

@@ -6,21 +6,21 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
-import { chromiumOptions, kSoftwareWebGl } from '../support/chromium.ts';
+import { chromiumOptions, SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { packExample } from '../support/example_site.ts';
 import { Scratch, ServedSite, runCli } from '../support/served_site.ts';
 
-const kExample = fileURLToPath(new URL('../../../examples/04_robot_arm', import.meta.url));
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const EXAMPLE = fileURLToPath(new URL('../../../examples/04_robot_arm', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 const watchdog = { timeout: 600_000 };
 const scratch = new Scratch();
 let site: string;
 let browser: Browser;
 
 before(async () => {
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
   site = await packExample(scratch, '04_robot_arm');
-  browser = await chromium.launch(chromiumOptions(kSoftwareWebGl));
+  browser = await chromium.launch(chromiumOptions(SOFTWARE_WEB_GL));
 });
 
 after(async () => {
@@ -34,10 +34,18 @@ test('the arm waves, its checks pass, and it can begin without waving', watchdog
   const said = stepped.output + stepped.errors;
   assert.equal(stepped.code, 0, said);
   assert.match(said, /3 of 3 checks passed/);
-  for (const line of readFileSync(join(kExample, 'expected.txt'), 'utf8').trimEnd().split('\n'))
+  for (const line of readFileSync(join(EXAMPLE, 'expected.txt'), 'utf8').trimEnd().split('\n'))
     assert.match(stepped.output, new RegExp(line));
   const waiting = await runCli([
-    'run', site, 'wave:=false', '--link', 'port', '--for', '120s', '--until', 'waiting for a joint to be set',
+    'run',
+    site,
+    'wave:=false',
+    '--link',
+    'port',
+    '--for',
+    '120s',
+    '--until',
+    'waiting for a joint to be set',
   ]);
   assert.equal(waiting.code, 0, waiting.output + waiting.errors);
 });
@@ -47,7 +55,9 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   page.setDefaultTimeout(120_000);
   const troubles: string[] = [];
-  page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
+  page.on('console', (message) => {
+    if (message.type() === 'error') troubles.push(message.text());
+  });
   page.on('pageerror', (error) => troubles.push(error.message));
   const meshes: string[] = [];
   page.on('response', (response) => {
@@ -66,7 +76,7 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   await turn.press('Enter');
   await page.getByText('turn goes to 1.50').first().waitFor();
   await turnedTo(page, 1.5);
-  await canvas.screenshot({ path: join(kOutput, 'robot_arm.png') });
+  await canvas.screenshot({ path: join(OUTPUT, 'robot_arm.png') });
   // The sliders that the README names, as far as they go.
   await page.getByRole('slider', { name: 'turn of /arm/mover, slider', exact: true }).press('End');
   await page.getByText('turn goes to 3.10').first().waitFor();
@@ -79,7 +89,7 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   await turnedTo(page, Number(/to (-?[\d.]+)/.exec(said ?? '')?.[1]));
   // The numbers and the picture are each drawn at their own pace.
   while ((await canvas.screenshot()).equals(before));
-  await page.screenshot({ path: join(kOutput, 'robot_arm_page.png') });
+  await page.screenshot({ path: join(OUTPUT, 'robot_arm_page.png') });
   // The fingers are one mesh, asked for once.
   assert.deepEqual(meshes, ['200 share/robot_arm/meshes/finger.stl']);
   const hand = { scene: { names: false, frames: false, frame: 'hand', view: { distance: 0.6, azimuth: 0.9 } } };
@@ -90,7 +100,7 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   while (meshes.length === 0) await drawnMore(page, 1);
   await drawnMore(page, 3);
   assert.equal(await page.locator('.scene-problem').count(), 0);
-  await canvas.screenshot({ path: join(kOutput, 'robot_arm_hand.png') });
+  await canvas.screenshot({ path: join(OUTPUT, 'robot_arm_hand.png') });
   assert.deepEqual(troubles, []);
   await page.close();
 });
@@ -108,17 +118,19 @@ test('without the waving, sliders of the panel Joints move the arm, and leave it
   await joints.getByRole('slider', { name: 'turn' }).press('Home');
   await turnedTo(page, -3.1);
   // Nobody else pulls it back: it stands there in each of the next pictures.
-  const yaws = await page.evaluate(() => new Promise<string[]>((done) => {
-    const seen: string[] = [];
-    const look = (): void => {
-      seen.push([...document.querySelectorAll('.frames-between .frames-number')][9]?.lastChild?.textContent ?? '');
-      if (seen.length < 90) requestAnimationFrame(look);
-      else done(seen);
-    };
-    look();
-  }));
+  const yaws = await page.evaluate(() =>
+    new Promise<string[]>((done) => {
+      const seen: string[] = [];
+      const look = (): void => {
+        seen.push([...document.querySelectorAll('.frames-between .frames-number')][9]?.lastChild?.textContent ?? '');
+        if (seen.length < 90) requestAnimationFrame(look);
+        else done(seen);
+      };
+      look();
+    })
+  );
   assert.deepEqual([...new Set(yaws)].filter((yaw) => !/^-3\.(09|10)/.test(yaw)), []);
-  await page.screenshot({ path: join(kOutput, 'robot_arm_joints.png') });
+  await page.screenshot({ path: join(OUTPUT, 'robot_arm_joints.png') });
   await joints.getByRole('checkbox', { name: 'Publish' }).uncheck();
   await page.getByRole('slider', { name: 'turn of /arm/mover, slider', exact: true }).press('End');
   await turnedTo(page, 3.1);

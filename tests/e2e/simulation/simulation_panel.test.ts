@@ -13,19 +13,21 @@ import { chromium } from 'playwright-core';
 import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
 import { serveFolder } from '../../support/static_server.ts';
 import type { StaticServer } from '../../support/static_server.ts';
-import { chromiumOptions, kSoftwareWebGl } from '../support/chromium.ts';
+import { chromiumOptions, SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { expectAccessible } from '../support/page_stage.ts';
 import { pixels } from '../support/scene_pixels.ts';
 
-const kOutput = fileURLToPath(new URL('../../output', import.meta.url));
+const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 const watchdog = { timeout: 300_000 };
 
-const shape = (geometry: string, color: string): string => `<collision name="c"><geometry>${geometry}</geometry></collision>
+const shape = (geometry: string, color: string): string =>
+  `<collision name="c"><geometry>${geometry}</geometry></collision>
   <visual name="v"><geometry>${geometry}</geometry><material><ambient>${color}</ambient><diffuse>${color}</diffuse></material></visual>`;
 const inertial = (mass: number, moment: number): string =>
   `<inertial><mass>${mass}</mass><inertia><ixx>${moment}</ixx><iyy>${moment}</iyy><izz>${moment}</izz></inertia></inertial>`;
-const wheel = (side: string, y: number): string => `<link name="${side}_wheel"><pose>0 ${y} 0.1 1.5707963 0 0</pose>${inertial(0.3, 0.001)}
+const wheel = (side: string, y: number): string =>
+  `<link name="${side}_wheel"><pose>0 ${y} 0.1 1.5707963 0 0</pose>${inertial(0.3, 0.001)}
   ${shape('<cylinder><radius>0.1</radius><length>0.05</length></cylinder>', '0.1 0.1 0.1 1')}</link>
   <joint name="${side}_joint" type="revolute"><parent>base</parent><child>${side}_wheel</child><axis><xyz>0 0 -1</xyz></axis></joint>`;
 const world = `<sdf version="1.6"><world name="yard"><include><uri>model://sun</uri></include><include><uri>model://ground_plane</uri></include>
@@ -73,7 +75,7 @@ let browser: Browser;
 let server: StaticServer;
 
 before(async () => {
-  mkdirSync(kOutput, { recursive: true });
+  mkdirSync(OUTPUT, { recursive: true });
   workspace = new PackWorkspace('shared');
   workspace.addPackage('yard', {}, {
     cmake: 'install(FILES yard.world wall.obj sim.launch.py DESTINATION share/${PROJECT_NAME})\n',
@@ -85,7 +87,7 @@ before(async () => {
   workspace.write('workspace.yaml', 'schema: 1\nname: yard\npackages: [src/*]\nlaunch: src/yard/sim.launch.py\n');
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
-  browser = await chromium.launch(chromiumOptions(kSoftwareWebGl));
+  browser = await chromium.launch(chromiumOptions(SOFTWARE_WEB_GL));
   server = await serveFolder(join(workspace.root, 'site'), { isolated: true });
 }, watchdog);
 after(async () => {
@@ -118,15 +120,15 @@ async function place(panel: Locator): Promise<readonly number[]> {
   return (words ?? '').replace(' m', '').split(', ').map(Number);
 }
 
-const kPatienceMs = 60_000;
+const PATIENCE_MS = 60_000;
 
 async function until(panel: Locator, what: string, isSo: (place: readonly number[]) => boolean): Promise<void> {
   const since = Date.now();
   for (;;) {
     const found = await place(panel);
     if (isSo(found)) return;
-    if (Date.now() - since > kPatienceMs) {
-      await panel.page().screenshot({ path: join(kOutput, 'simulation_failed.png') });
+    if (Date.now() - since > PATIENCE_MS) {
+      await panel.page().screenshot({ path: join(OUTPUT, 'simulation_failed.png') });
       assert.fail(`${what}: it is at ${found.join(', ')}; ${await panel.innerText()}`);
     }
     await panel.page().waitForTimeout(50);
@@ -142,10 +144,10 @@ async function simulated(panel: Locator): Promise<number> {
   return Number.parseFloat((await panel.locator('.panel-note').textContent()) ?? '');
 }
 
-const kLayout = `#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { column: ['simulation', 'terminal'], sizes: [3, 1] }], sizes: [1, 4] }))}`;
+const LAYOUT = `#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { column: ['simulation', 'terminal'], sizes: [3, 1] }], sizes: [1, 4] }))}`;
 
 test('the world is seen, the robot drives, time is paused and stepped', watchdog, () =>
-  on({}, kLayout, async (page, panel) => {
+  on({}, LAYOUT, async (page, panel) => {
     await panel.getByText('4 models').waitFor();
     await panel.getByText(/^\d+\.\d\d s, \d\.\d\d× real time$/).waitFor();
     // The crate, the wall of a mesh, and the robot; each has a colour of its own.
@@ -177,13 +179,12 @@ test('the world is seen, the robot drives, time is paused and stepped', watchdog
     await page.waitForTimeout(1000);
     assert.equal(await panel.locator('.scene-troubles').count(), 0);
     await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'simulation.png') });
+    await page.screenshot({ path: join(OUTPUT, 'simulation.png') });
   }));
 
 test('objects are added, pushed, dragged and removed, and the world is reset', watchdog, () =>
   on({}, '', async (page, panel) => {
-    const drawings = (): Promise<number> =>
-      panel.locator('.scene-canvas').evaluate((one) => Number((one as HTMLCanvasElement).dataset['drawings']));
+    const drawings = (): Promise<number> => panel.locator('.scene-canvas').evaluate((one) => Number((one as HTMLCanvasElement).dataset['drawings']));
     // While nothing moves, the picture is drawn as little as that of the 3D view.
     await page.waitForTimeout(1000);
     const before = await drawings();
@@ -222,23 +223,24 @@ test('objects are added, pushed, dragged and removed, and the world is reset', w
     assert.equal(await panel.getByRole('button', { name: 'box', exact: true }).count(), 0);
   }));
 
-test('on a phone: the world, its tree and its tools have room, and fingers do what a mouse does', watchdog, () =>
-  on({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, '', async (page, panel) => {
-    await panel.getByRole('button', { name: 'Add an object in the middle of the picture' }).tap();
-    await page.getByRole('menuitem', { name: 'Sphere' }).tap();
-    await panel.getByText('5 models').waitFor();
-    await select(panel, 'sphere');
-    await until(panel, 'the sphere falls to the ground', ([, , z = 9]) => Math.abs(z - 0.15) < 0.006);
-    await select(panel, 'crate');
-    // A press on it in the picture selects it too.
-    const canvas = panel.locator('.scene-canvas');
-    const box = (await canvas.boundingBox()) ?? assert.fail();
-    await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2);
-    await panel.getByRole('group', { name: 'sphere is selected' }).waitFor();
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    assert.equal(wide, 390);
-    await expectAccessible(page);
-    await page.screenshot({ path: join(kOutput, 'simulation_phone.png') });
-    await panel.getByRole('button', { name: 'Remove sphere from the world' }).tap();
-    await panel.getByText('4 models').waitFor();
-  }));
+test('on a phone: the world, its tree and its tools have room, and fingers do what a mouse does', watchdog,
+  () =>
+    on({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, '', async (page, panel) => {
+      await panel.getByRole('button', { name: 'Add an object in the middle of the picture' }).tap();
+      await page.getByRole('menuitem', { name: 'Sphere' }).tap();
+      await panel.getByText('5 models').waitFor();
+      await select(panel, 'sphere');
+      await until(panel, 'the sphere falls to the ground', ([, , z = 9]) => Math.abs(z - 0.15) < 0.006);
+      await select(panel, 'crate');
+      // A press on it in the picture selects it too.
+      const canvas = panel.locator('.scene-canvas');
+      const box = (await canvas.boundingBox()) ?? assert.fail();
+      await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2);
+      await panel.getByRole('group', { name: 'sphere is selected' }).waitFor();
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.equal(wide, 390);
+      await expectAccessible(page);
+      await page.screenshot({ path: join(OUTPUT, 'simulation_phone.png') });
+      await panel.getByRole('button', { name: 'Remove sphere from the world' }).tap();
+      await panel.getByText('4 models').waitFor();
+    }));

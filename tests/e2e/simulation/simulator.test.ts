@@ -21,7 +21,8 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 const watchdog = { timeout: 300_000 };
 
 /** A base on two wheels of 5 cm, 30 cm apart, with the wheels' axle through its origin, and a caster behind. */
-const robot = (gazebo: string): string => `<robot name="scout">
+const robot = (gazebo: string): string =>
+  `<robot name="scout">
   <link name="base_footprint"/>
   <joint name="footprint" type="fixed"><parent link="base_footprint"/><child link="base"/><origin xyz="0 0 0.05"/></joint>
   <link name="base">
@@ -29,14 +30,16 @@ const robot = (gazebo: string): string => `<robot name="scout">
     <collision><origin xyz="0 0 0.06"/><geometry><box size="0.3 0.26 0.1"/></geometry></collision>
     <visual><origin xyz="0 0 0.06"/><geometry><box size="0.3 0.26 0.1"/></geometry></visual>
   </link>
-  ${[['left', '0.15'], ['right', '-0.15']].map(([side, y]) => `
+  ${
+    [['left', '0.15'], ['right', '-0.15']].map(([side, y]) => `
   <link name="${side}_wheel">
     <inertial><mass value="0.2"/><inertia ixx="0.00014" iyy="0.00025" izz="0.00014" ixy="0" ixz="0" iyz="0"/></inertial>
     <collision><origin rpy="1.5707963 0 0"/><geometry><cylinder radius="0.05" length="0.03"/></geometry></collision>
   </link>
   <joint name="${side}_joint" type="continuous">
     <parent link="base"/><child link="${side}_wheel"/><origin xyz="0 ${y} 0"/><axis xyz="0 1 0"/>
-  </joint>`).join('')}
+  </joint>`).join('')
+  }
   <link name="caster"><inertial><mass value="0.1"/><inertia ixx="1e-4" iyy="1e-4" izz="1e-4" ixy="0" ixz="0" iyz="0"/></inertial>
     <collision><geometry><sphere radius="0.05"/></geometry></collision></link>
   <joint name="caster_joint" type="fixed"><parent link="base"/><child link="caster"/><origin xyz="-0.12 0 0"/></joint>
@@ -95,7 +98,8 @@ const wallObject = `${[-0.1, 0.1].flatMap((x) => [-3, 3].flatMap((y) => [-0.5, 0
 f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4
 `;
 const plane = '<geometry><plane><normal>0 0 1</normal><size>20 20</size></plane></geometry>';
-const world = (version: string, systems: string, wall: string, more = ''): string => `<sdf version="${version}"><world name="room">${systems}
+const world = (version: string, systems: string, wall: string, more = ''): string =>
+  `<sdf version="${version}"><world name="room">${systems}
   <model name="floor"><static>true</static><link name="l"><collision name="c">${plane}</collision></link></model>
   <model name="wall"><static>true</static><pose>3.1 0 0.5 0 0 0</pose><link name="l">
     <collision name="c">${wall}</collision><visual name="v">${wall}</visual></link></model>${more}
@@ -271,7 +275,11 @@ const common = [
 ];
 const labs: readonly Lab[] = [
   {
-    name: 'classic', depends: ['gazebo_ros'], urdf: robot(classicTags), world: world('1.6', '', mesh, glider), launch: classicLaunch,
+    name: 'classic',
+    depends: ['gazebo_ros'],
+    urdf: robot(classicTags),
+    world: world('1.6', '', mesh, glider),
+    launch: classicLaunch,
     argument: 'verbose:=true',
     said: [
       ...common,
@@ -284,7 +292,11 @@ const labs: readonly Lab[] = [
     ],
   },
   {
-    name: 'sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], urdf: robot(simTags), world: world('1.9', systems, box), launch: simLaunch,
+    name: 'sim',
+    depends: ['ros_gz_sim', 'ros_gz_bridge'],
+    urdf: robot(simTags),
+    world: world('1.9', systems, box),
+    launch: simLaunch,
     argument: 'debugger:=true',
     said: [
       ...common,
@@ -374,8 +386,7 @@ test('the services of Gazebo Classic', watchdog, async () => {
 });
 
 test('the services of Gazebo Sim, through the bridge', watchdog, async () => {
-  const control = (what: string): Promise<string> =>
-    called('sim', '/world/room/control', 'ros_gz_interfaces/srv/ControlWorld', `{world_control: {${what}}}`);
+  const control = (what: string): Promise<string> => called('sim', '/world/room/control', 'ros_gz_interfaces/srv/ControlWorld', `{world_control: {${what}}}`);
   assert.match(await control('pause: true, multi_step: 10'), /success=True/);
   const pose = (name: string): Promise<string> =>
     called('sim', '/world/room/set_pose', 'ros_gz_interfaces/srv/SetEntityPose', `{entity: {name: ${name}, type: 2}, pose: {position: {x: 5.0}}}`);

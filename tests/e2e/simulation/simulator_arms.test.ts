@@ -17,11 +17,13 @@ const link = (name: string, mass: number, length: number): string => `
 const joint = (name: string, parent: string, child: string, z: number): string => `
   <joint name="${name}" type="revolute"><parent link="${parent}"/><child link="${child}"/><origin xyz="0 0 ${z}"/><axis xyz="0 1 0"/>
     <limit lower="-3" upper="3" effort="60" velocity="6"/><dynamics damping="0.1"/></joint>`;
-const driven = (name: string, command: string): string => `<joint name="${name}"><command_interface name="${command}"/>
+const driven = (name: string, command: string): string =>
+  `<joint name="${name}"><command_interface name="${command}"/>
     <state_interface name="position"/><state_interface name="velocity"/></joint>`;
 
 /** An arm that hangs from a frame: 0.5 m with 1 kg, 0.4 m with 0.5 kg. */
-const arm = (name: string, y: number, command: string): string => `<robot name="${name}">
+const arm = (name: string, y: number, command: string): string =>
+  `<robot name="${name}">
   <link name="world"/>
   <joint name="hold" type="fixed"><parent link="world"/><child link="frame"/><origin xyz="0 ${y} 1.5"/></joint>
   ${link('frame', 1, 0.1)}${link('upper', 1, 0.5)}${link('lower', 0.5, 0.4)}
@@ -34,7 +36,8 @@ const arm = (name: string, y: number, command: string): string => `<robot name="
 </robot>
 `;
 
-const controllers = (name: string, command: string): string => `/${name}/controller_manager:
+const controllers = (name: string, command: string): string =>
+  `/${name}/controller_manager:
   ros__parameters:
     update_rate: 500
     joint_state_broadcaster: {type: joint_state_broadcaster/JointStateBroadcaster}
@@ -143,7 +146,8 @@ before(async () => {
     cmake: `install(DIRECTORY urdf config DESTINATION share/\${PROJECT_NAME})
 install(FILES arms.launch.py DESTINATION share/\${PROJECT_NAME})
 install(PROGRAMS mover DESTINATION lib/\${PROJECT_NAME})\n`,
-    depends: ['rclpy', 'ros_gz_sim', 'ros_gz_bridge', 'gz_ros2_control', 'robot_state_publisher', 'ros2_controllers', 'control_msgs', 'sensor_msgs', 'trajectory_msgs'],
+    depends: ['rclpy', 'ros_gz_sim', 'ros_gz_bridge', 'gz_ros2_control', 'robot_state_publisher', 'ros2_controllers', 'control_msgs', 'sensor_msgs',
+      'trajectory_msgs'],
   });
   for (const [name, y, command] of [['left', 1, 'position'], ['right', -1, 'effort']] as const) {
     workspace.write(`src/arms/urdf/${name}.urdf`, arm(name, y, command));

@@ -19,12 +19,13 @@ import { PackWorkspace } from '../support/pack_workspace.ts';
 
 const watchdog = { timeout: 300_000 };
 
-const camera = (more = ''): string => `<camera name="eye">${more}<horizontal_fov>1.047</horizontal_fov>
+const camera = (more = ''): string =>
+  `<camera name="eye">${more}<horizontal_fov>1.047</horizontal_fov>
   <image><width>640</width><height>480</height><format>R8G8B8</format></image><clip><near>0.1</near><far>50</far></clip></camera>`;
-const visual = (geometry: string, material: string): string => `<link name="l"><visual name="v"><geometry>${geometry}</geometry>
+const visual = (geometry: string, material: string): string =>
+  `<link name="l"><visual name="v"><geometry>${geometry}</geometry>
   <material>${material}</material></visual></link>`;
-const still = (name: string, pose: string, inner: string): string =>
-  `<model name="${name}"><static>true</static><pose>${pose}</pose>${inner}</model>`;
+const still = (name: string, pose: string, inner: string): string => `<model name="${name}"><static>true</static><pose>${pose}</pose>${inner}</model>`;
 const cube = (size: string): string => `<box><size>${size}</size></box>`;
 const colors = (color: string): string => `<ambient>${color}</ambient><diffuse>${color}</diffuse>`;
 
@@ -33,26 +34,34 @@ const scene = `
   <light name="sun" type="directional"><pose>0 0 10 0 0 0</pose><diffuse>0.8 0.8 0.8 1</diffuse><direction>0.6 0 -0.8</direction></light>
   ${still('wall', '4.1 0 0 0 0 0', visual(cube('0.2 20 20'), colors('0.5 0.5 0.5 1')))}
   ${still('cube', '2 0 1 0 0 0', visual(cube('0.2 0.2 0.2'), colors('1 0 0 1')))}
-  ${still('floor', '0 0 0 0 0 0', visual('<plane><normal>0 0 1</normal><size>4 4</size></plane>',
-    '<pbr><metal><albedo_map>model://eyes/four.bmp</albedo_map></metal></pbr>'))}`;
+  ${
+  still('floor', '0 0 0 0 0 0',
+    visual('<plane><normal>0 0 1</normal><size>4 4</size></plane>', '<pbr><metal><albedo_map>model://eyes/four.bmp</albedo_map></metal></pbr>'))
+}`;
 
 const classic = `<sdf version="1.6"><world name="room">${scene}
-  ${still('eyes', '0 0 1 0 0 0', `<link name="head">
+  ${
+  still('eyes', '0 0 1 0 0 0', `<link name="head">
     <sensor name="one" type="camera"><update_rate>10</update_rate>${camera()}<plugin name="one" filename="libgazebo_ros_camera.so">
       <camera_name>front</camera_name><frame_name>front_optical</frame_name></plugin></sensor>
     <sensor name="deep" type="depth"><update_rate>10</update_rate>${camera()}<plugin name="deep" filename="libgazebo_ros_camera.so">
       <ros><namespace>robot</namespace></ros><frame_name>deep_optical</frame_name></plugin></sensor>
-    <sensor name="pair" type="multicamera"><update_rate>10</update_rate>${camera()}${camera('<pose>0 -0.1 0 0 0 0</pose>')
-      .replace('eye', 'right')}<plugin name="pair" filename="libgazebo_ros_camera.so"/></sensor></link>`)}
+    <sensor name="pair" type="multicamera"><update_rate>10</update_rate>${camera()}${
+    camera('<pose>0 -0.1 0 0 0 0</pose>')
+      .replace('eye', 'right')
+  }<plugin name="pair" filename="libgazebo_ros_camera.so"/></sensor></link>`)
+}
 </world></sdf>
 `;
 const systems = ['Physics', 'Sensors', 'SceneBroadcaster']
   .map((name) => `<plugin filename="gz-sim-${name.toLowerCase()}-system" name="gz::sim::systems::${name}"/>`).join('');
 const sim = `<sdf version="1.9"><world name="room">${systems}${scene}
-  ${still('eyes', '0 0 1 0 0 0', `<link name="head">
+  ${
+  still('eyes', '0 0 1 0 0 0', `<link name="head">
     <sensor name="one" type="camera"><topic>front/image_raw</topic><update_rate>10</update_rate>
       ${camera('<optical_frame_id>front_optical</optical_frame_id>')}</sensor>
-    <sensor name="deep" type="rgbd_camera"><topic>robot/deep</topic><update_rate>10</update_rate>${camera()}</sensor></link>`)}
+    <sensor name="deep" type="rgbd_camera"><topic>robot/deep</topic><update_rate>10</update_rate>${camera()}</sensor></link>`)
+}
 </world></sdf>
 `;
 
@@ -148,7 +157,7 @@ function fourColors(): Buffer {
   for (const [at, value] of [[2, 70], [10, 54], [14, 40], [18, 2], [22, 2], [34, 16]] as const) file.writeUInt32LE(value, at);
   file.writeUInt16LE(1, 26);
   file.writeUInt16LE(24, 28);
-  Buffer.from('ff0000ffffff00000000ff00ff000000', 'hex').copy(file, 54);  // from below, blue first
+  Buffer.from('ff0000ffffff00000000ff00ff000000', 'hex').copy(file, 54); // from below, blue first
   return file;
 }
 

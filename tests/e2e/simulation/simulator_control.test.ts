@@ -24,7 +24,8 @@ const wheel = (side: string, y: number): string => `
     <origin xyz="0 ${y} 0"/><axis xyz="0 1 0"/></joint>`;
 
 /** With a plugin for the hardware, and the plugin of the simulator. */
-const robot = (hardware: string, simulator: string): string => `<?xml version="1.0"?>
+const robot = (hardware: string, simulator: string): string =>
+  `<?xml version="1.0"?>
 <robot name="mover" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <link name="base_link">${inertia(5, 0.08)}${both('<box size="0.4 0.28 0.08"/>')}</link>
   <link name="caster">${inertia(0.2, 0.0005)}${both('<sphere radius="0.05"/>')}</link>
@@ -39,8 +40,10 @@ const robot = (hardware: string, simulator: string): string => `<?xml version="1
     <xacro:macro name="driven" params="side"><joint name="\${side}_wheel_joint"><command_interface name="velocity"/>
       <state_interface name="position"/><state_interface name="velocity"/></joint></xacro:macro>
     <xacro:driven side="left"/><xacro:driven side="right"/>
-    <sensor name="imu">${['orientation.x', 'orientation.y', 'orientation.z', 'orientation.w', 'angular_velocity.x', 'angular_velocity.y',
-    'angular_velocity.z', 'linear_acceleration.x', 'linear_acceleration.y', 'linear_acceleration.z'].map((one) => `<state_interface name="${one}"/>`).join('')}</sensor>
+    <sensor name="imu">${
+    ['orientation.x', 'orientation.y', 'orientation.z', 'orientation.w', 'angular_velocity.x', 'angular_velocity.y', 'angular_velocity.z',
+      'linear_acceleration.x', 'linear_acceleration.y', 'linear_acceleration.z'].map((one) => `<state_interface name="${one}"/>`).join('')
+  }</sensor>
     <sensor name="load">${['force', 'torque'].flatMap((one) => ['x', 'y', 'z'].map((axis) => `<state_interface name="${one}.${axis}"/>`)).join('')}</sensor>
     <joint name="mast_joint"><command_interface name="position"/>
       <state_interface name="position"><param name="initial_value">0.3</param></state_interface><state_interface name="velocity"/></joint>
@@ -254,7 +257,8 @@ const workspaces = new Map<Lab, PackWorkspace>();
 
 /** The plugin of the other Gazebo is skipped with a warning, so each robot has its own only. */
 const withOne = (lab: Lab): string =>
-  labs[lab].replace(lab === 'sim' ? /<gazebo><plugin filename="libgazebo_ros_p3d[^]*?<\/gazebo>/ : /<gazebo><plugin filename="gz-sim-odometry[^]*?<\/gazebo>/, '');
+  labs[lab].replace(lab === 'sim' ? /<gazebo><plugin filename="libgazebo_ros_p3d[^]*?<\/gazebo>/ : /<gazebo><plugin filename="gz-sim-odometry[^]*?<\/gazebo>/,
+    '');
 
 before(async () => {
   for (const lab of ['sim', 'classic'] as const) {
@@ -271,8 +275,8 @@ install(TARGETS mover_controllers LIBRARY DESTINATION lib ARCHIVE DESTINATION li
 install(DIRECTORY urdf config DESTINATION share/\${PROJECT_NAME})
 install(FILES lab.launch.py DESTINATION share/\${PROJECT_NAME})
 install(PROGRAMS driver DESTINATION lib/\${PROJECT_NAME})\n`,
-      depends: ['controller_interface', 'controller_manager', 'pluginlib', 'rclcpp_lifecycle', 'rclpy', 'nav_msgs', 'geometry_msgs',
-        'sensor_msgs', 'robot_state_publisher', 'joint_state_broadcaster', 'diff_drive_controller', 'imu_sensor_broadcaster', 'force_torque_sensor_broadcaster', 'xacro',
+      depends: ['controller_interface', 'controller_manager', 'pluginlib', 'rclcpp_lifecycle', 'rclpy', 'nav_msgs', 'geometry_msgs', 'sensor_msgs',
+        'robot_state_publisher', 'joint_state_broadcaster', 'diff_drive_controller', 'imu_sensor_broadcaster', 'force_torque_sensor_broadcaster', 'xacro',
         ...(lab === 'sim' ? ['ros_gz_sim', 'ros_gz_bridge'] : ['gazebo_ros'])],
     });
     workspace.write('src/mover/src/swing_controller.cpp', swing);

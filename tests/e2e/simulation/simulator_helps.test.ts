@@ -30,19 +30,23 @@ const sunk = `
 
 const simWorld = `<sdf version="1.9"><world name="yard">
   ${['Physics', 'UserCommands', 'Sensors'].map((name) => `<plugin filename="gz-sim-${name.toLowerCase()}-system" name="gz::sim::systems::${name}"/>`).join('')}
-  ${floor}${sunk}${stranded(`
+  ${floor}${sunk}${
+  stranded(`
     <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"><left_joint>left_joint</left_joint>
       <right_joint>right_joint</right_joint><wheel_separation>0.5</wheel_separation><wheel_radius>0.1</wheel_radius>
       <odom_publisher_frequency>30</odom_publisher_frequency></plugin>
     <plugin filename="libgazebo_ros_diff_drive.so" name="old"/>`,
-  '<sensor name="lidar" type="gpu_lidar"><topic>scan</topic><update_rate>5</update_rate></sensor>')}
+    '<sensor name="lidar" type="gpu_lidar"><topic>scan</topic><update_rate>5</update_rate></sensor>')
+}
 </world></sdf>
 `;
-const classicWorld = `<sdf version="1.6"><world name="yard">${floor}${stranded(`
+const classicWorld = `<sdf version="1.6"><world name="yard">${floor}${
+  stranded(`
     <plugin filename="libgazebo_ros_diff_drive.so" name="drive"><left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>
       <wheel_separation>0.3</wheel_separation><wheel_diameter>0.05</wheel_diameter><command_topic>robot/cmd_vel</command_topic></plugin>
     <plugin filename="libgazebo_ros_laser.so" name="laser"/>
-    <plugin filename="libgazebo_ros_joint_state_publisher.so" name="joints"><joint_name>left_wheel_joint</joint_name></plugin>`)}
+    <plugin filename="libgazebo_ros_joint_state_publisher.so" name="joints"><joint_name>left_wheel_joint</joint_name></plugin>`)
+}
 </world></sdf>
 `;
 
@@ -126,7 +130,9 @@ const common = [
 ];
 const labs: readonly Lab[] = [
   {
-    name: 'Gazebo Sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], world: simWorld,
+    name: 'Gazebo Sim',
+    depends: ['ros_gz_sim', 'ros_gz_bridge'],
+    world: simWorld,
     launch: launch(`${include('ros_gz_sim', 'gz_sim.launch.py', "{'gz_args': '-r -s ' + world}")}
         Node(package='ros_gz_sim', executable='create', arguments=['-topic', 'robot_description', '-z', '0.1']),
         Node(package='ros_gz_sim', executable='create', name='silent', arguments=['-topic', 'description']),
@@ -156,7 +162,9 @@ const labs: readonly Lab[] = [
     ],
   },
   {
-    name: 'Gazebo Classic', depends: ['gazebo_ros'], world: classicWorld,
+    name: 'Gazebo Classic',
+    depends: ['gazebo_ros'],
+    world: classicWorld,
     launch: launch(`${include('gazebo_ros', 'gzserver.launch.py', "{'world': world}")}
         Node(package='gazebo_ros', executable='spawn_entity.py', arguments=['-topic', 'description', '-entity', 'scout']),`),
     said: [

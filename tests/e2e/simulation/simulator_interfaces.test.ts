@@ -181,8 +181,7 @@ after(() => workspace.close());
 
 test('each service and the action of simulation_interfaces does what it says', watchdog, async () => {
   const run = await workspace.run(['run', 'site', '--for', '60s']);
-  const said = (what: string): string | undefined =>
-    run.stdout.split('\n').find((line) => line.includes(`] ${what} `))?.replace(/^.*?\] /, '');
+  const said = (what: string): string | undefined => run.stdout.split('\n').find((line) => line.includes(`] ${what} `))?.replace(/^.*?\] /, '');
   const expected = [
     "formats ['sdf', 'urdf'] True",
     "all 1 ['floor', 'wall', 'crate']",

@@ -29,37 +29,40 @@ const collision = (geometry: string, friction = '', pose = '0 0 0 0 0 0'): strin
 const slippery = '<mu>0</mu><mu2>0</mu2>';
 const joint = (name: string, parent: string, child: string, axis: string, type = 'revolute', limit = ''): string =>
   `<joint name="${name}" type="${type}"><parent>${parent}</parent><child>${child}</child><axis><xyz>${axis}</xyz>${limit}</axis></joint>`;
-const model = (name: string, pose: string, ...parts: readonly string[]): string =>
-  `<model name="${name}"><pose>${pose}</pose>${parts.join('\n')}</model>`;
+const model = (name: string, pose: string, ...parts: readonly string[]): string => `<model name="${name}"><pose>${pose}</pose>${parts.join('\n')}</model>`;
 const elements = (values: Readonly<Record<string, string | number>>): string =>
   Object.entries(values).map(([name, value]) => `<${name}>${value}</${name}>`).join('');
 
 /** A body of 5 kg on four wheels of 10 cm, 0.8 m long and 0.6 m wide, with the rear axle through its origin. */
 const car = (friction: (front: number, left: number) => string, steers: boolean): string =>
   link('body', { mass: 5, moment: 0.5, pose: '0.4 0 0.1 0 0 0' })
-  + [['front', 0.8], ['rear', 0]].flatMap(([end, x]) => [['left', 0.3], ['right', -0.3]].map(([side, y]) => {
-    const name = `${end}_${side}`;
-    const wheel = link(name, {
-      mass: 0.3, moment: 0.002, pose: `${x} ${y} 0.1 0 0 0`,
-      shape: collision('<cylinder><radius>0.1</radius><length>0.04</length></cylinder>',
-        friction(end === 'front' ? 1 : -1, side === 'left' ? 1 : -1), '0 0 0 1.5707963 0 0'),
-    });
-    if (!steers || end !== 'front') return wheel + joint(`${name}_joint`, 'body', name, '0 1 0');
-    const limit = '<limit><lower>-0.8</lower><upper>0.8</upper></limit>';
-    return wheel + link(`${name}_knuckle`, { mass: 0.3, moment: 0.01, pose: `${x} ${y} 0.1 0 0 0` })
-      + joint(`${side}_steering_joint`, 'body', `${name}_knuckle`, '0 0 1', 'revolute', limit)
-      + joint(`${name}_joint`, `${name}_knuckle`, name, '0 1 0');
-  })).join('\n');
+  + [['front', 0.8], ['rear', 0]].flatMap(([end, x]) =>
+    [['left', 0.3], ['right', -0.3]].map(([side, y]) => {
+      const name = `${end}_${side}`;
+      const wheel = link(name, {
+        mass: 0.3,
+        moment: 0.002,
+        pose: `${x} ${y} 0.1 0 0 0`,
+        shape: collision('<cylinder><radius>0.1</radius><length>0.04</length></cylinder>', friction(end === 'front' ? 1 : -1, side === 'left' ? 1 : -1),
+          '0 0 0 1.5707963 0 0'),
+      });
+      if (!steers || end !== 'front') return wheel + joint(`${name}_joint`, 'body', name, '0 1 0');
+      const limit = '<limit><lower>-0.8</lower><upper>0.8</upper></limit>';
+      return wheel + link(`${name}_knuckle`, { mass: 0.3, moment: 0.01, pose: `${x} ${y} 0.1 0 0 0` })
+        + joint(`${side}_steering_joint`, 'body', `${name}_knuckle`, '0 0 1', 'revolute', limit)
+        + joint(`${name}_joint`, `${name}_knuckle`, name, '0 1 0');
+    })
+  ).join('\n');
 const rolling = (): string => '<mu>1</mu><mu2>1</mu2>';
-const rollers = (front: number, left: number): string =>
-  `<mu>1</mu><mu2>0</mu2><fdir1 gz:expressed_in="body">1 ${-front * left} 0</fdir1>`;
+const rollers = (front: number, left: number): string => `<mu>1</mu><mu2>0</mu2><fdir1 gz:expressed_in="body">1 ${-front * left} 0</fdir1>`;
 
 /** One link on a joint to the world, away from the ground. */
 const rotor = (name: string, y: number, type: string, axis: string, ...more: readonly string[]): string =>
   model(name, `0 ${y} 1 0 0 0`, link('part'), joint('joint', 'world', 'part', axis, type), ...more);
 const puck = (name: string, x: number, y: number, ...more: readonly string[]): string =>
   model(name, `${x} ${y} 0.1 0 0 1.5707963`, link('body', { mass: 2, shape: collision('<box><size>0.4 0.4 0.2</size></box>', slippery) }), ...more);
-const world = (version: string, ...parts: readonly string[]): string => `<sdf version="${version}" xmlns:gz="http://gazebosim.org/schema">
+const world = (version: string, ...parts: readonly string[]): string =>
+  `<sdf version="${version}" xmlns:gz="http://gazebosim.org/schema">
 <world name="yard">
   <model name="floor"><static>true</static><link name="l">${collision('<plane><normal>0 0 1</normal><size>20 20</size></plane>')}</link></model>
   ${parts.join('\n')}
@@ -73,35 +76,50 @@ const states = gz('JointStatePublisher', { topic: '/joints' });
 const sides = '<left_joint>front_left_joint</left_joint><left_joint>rear_left_joint</left_joint>'
   + '<right_joint>front_right_joint</right_joint><right_joint>rear_right_joint</right_joint>';
 
-const simWorld = world('1.9',
-  gz('Physics'), gz('UserCommands'), gz('ApplyLinkWrench'),
+const simWorld = world('1.9', gz('Physics'), gz('UserCommands'), gz('ApplyLinkWrench'),
   rotor('arm', -8, 'revolute', '0 0 1', states.replace('/joints', '/arm/joints'),
     gz('JointPositionController', { joint_name: 'joint', topic: '/arm/to', p_gain: 20, i_gain: 0, d_gain: 3 })),
   rotor('lift', -7, 'prismatic', '0 0 1', states.replace('/joints', '/lift/joints'),
     gz('JointPositionController', { joint_name: 'joint', sub_topic: 'to', use_velocity_commands: 'true', cmd_max: 0.5 })),
-  rotor('spinner', -6, 'revolute', '0 0 1', states.replace('/joints', '/spinner/joints'),
-    gz('JointController', { joint_name: 'joint' })),
+  rotor('spinner', -6, 'revolute', '0 0 1', states.replace('/joints', '/spinner/joints'), gz('JointController', { joint_name: 'joint' })),
   rotor('follower', -5, 'revolute', '0 0 1', states.replace('/joints', '/follower/joints'),
     gz('JointTrajectoryController', { topic: '/follower/path', position_p_gain: 20, position_d_gain: 3 })),
   rotor('wheel', -4, 'revolute', '0 0 1', states.replace('/joints', '/wheel/joints'), gz('ApplyJointForce', { joint_name: 'joint' })),
   model('racer', '0 4 0 0 0 0', car(rolling, true), truth('racer'), gz('AckermannSteering', {
-    left_joint: 'rear_left_joint', right_joint: 'rear_right_joint', left_steering_joint: 'left_steering_joint',
-    right_steering_joint: 'right_steering_joint', wheel_separation: 0.6, kingpin_width: 0.6, wheel_base: 0.8, wheel_radius: 0.1,
-    steering_limit: 0.7, steer_p_gain: 10, topic: '/racer/cmd_vel', odom_topic: '/racer/odom',
-  })),
-  model('sidler', '8 0 0 0 0 0', car(rollers, false), truth('sidler'), gz('MecanumDrive', {
-    front_left_joint: 'front_left_joint', front_right_joint: 'front_right_joint', back_left_joint: 'rear_left_joint',
-    back_right_joint: 'rear_right_joint', wheel_separation: 0.6, wheelbase: 0.8, wheel_radius: 0.1, topic: '/sidler/cmd_vel',
+    left_joint: 'rear_left_joint',
+    right_joint: 'rear_right_joint',
+    left_steering_joint: 'left_steering_joint',
+    right_steering_joint: 'right_steering_joint',
+    wheel_separation: 0.6,
+    kingpin_width: 0.6,
+    wheel_base: 0.8,
+    wheel_radius: 0.1,
+    steering_limit: 0.7,
+    steer_p_gain: 10,
+    topic: '/racer/cmd_vel',
+    odom_topic: '/racer/odom',
+  })), model('sidler', '8 0 0 0 0 0', car(rollers, false), truth('sidler'), gz('MecanumDrive', {
+    front_left_joint: 'front_left_joint',
+    front_right_joint: 'front_right_joint',
+    back_left_joint: 'rear_left_joint',
+    back_right_joint: 'rear_right_joint',
+    wheel_separation: 0.6,
+    wheelbase: 0.8,
+    wheel_radius: 0.1,
+    topic: '/sidler/cmd_vel',
   })),
   model('skidder', '8 -6 0 0 0 0', car(rolling, false), truth('skidder'),
     gz('DiffDrive', { wheel_separation: 0.6, wheel_radius: 0.1, topic: '/skidder/cmd_vel' }, sides)),
-  puck('glider', -6, 0, truth('glider'), gz('VelocityControl', { topic: '/glider/cmd_vel' })),
-  puck('puck', -8, 0, truth('puck')),
+  puck('glider', -6, 0, truth('glider'), gz('VelocityControl', { topic: '/glider/cmd_vel' })), puck('puck', -8, 0, truth('puck')),
   model('ball', '-4 0 3 0 0 0', link('body', { shape: collision('<sphere><radius>0.1</radius></sphere>') }), truth('ball')),
-  rotor('misspelt', 1, 'revolute', '0 0 1', gz('ApplyJointForce', { joint_name: 'joynt' })),
-  rotor('crane', 0, 'fixed', '0 0 1', gz('DetachableJoint', {
-    parent_link: 'part', child_model: 'ball', child_link: 'body', detach_topic: '/crane/drop', attach_topic: '/crane/hold',
-    output_topic: '/crane/state' })));
+  rotor('misspelt', 1, 'revolute', '0 0 1', gz('ApplyJointForce', { joint_name: 'joynt' })), rotor('crane', 0, 'fixed', '0 0 1', gz('DetachableJoint', {
+    parent_link: 'part',
+    child_model: 'ball',
+    child_link: 'body',
+    detach_topic: '/crane/drop',
+    attach_topic: '/crane/hold',
+    output_topic: '/crane/state',
+  })));
 
 const bridged = [
   ...['/arm/to', '/model/lift/to', '/model/spinner/joint/joint/cmd_vel', '/model/wheel/joint/joint/cmd_force']
@@ -109,26 +127,38 @@ const bridged = [
   ...['arm', 'lift', 'spinner', 'follower', 'wheel'].map((name) => `/${name}/joints@sensor_msgs/msg/JointState[gz.msgs.Model`),
   ...['racer', 'sidler', 'skidder', 'glider'].map((name) => `/${name}/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist`),
   ...['racer', 'sidler', 'skidder', 'glider', 'puck', 'ball'].map((name) => `/${name}/truth@nav_msgs/msg/Odometry[gz.msgs.Odometry`),
-  '/racer/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry', '/crane/drop@std_msgs/msg/Empty]gz.msgs.Empty',
+  '/racer/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry',
+  '/crane/drop@std_msgs/msg/Empty]gz.msgs.Empty',
   '/follower/path@trajectory_msgs/msg/JointTrajectory]gz.msgs.JointTrajectory',
   '/follower/path_progress@std_msgs/msg/Float32[gz.msgs.Float',
-  '/world/yard/wrench/persistent@ros_gz_interfaces/msg/EntityWrench]gz.msgs.EntityWrench', '/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock',
+  '/world/yard/wrench/persistent@ros_gz_interfaces/msg/EntityWrench]gz.msgs.EntityWrench',
+  '/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock',
 ];
 
 const classic = (name: string, file: string, values: Readonly<Record<string, string | number>> = {}, more = ''): string =>
   `<plugin name="${name}" filename="libgazebo_ros_${file}.so"><ros><namespace>/${name}</namespace></ros>${elements(values)}${more}</plugin>`;
-const classicWorld = world('1.6',
-  classic('demo', 'state'), classic('facts', 'properties'),
-  puck('puck', -8, 0), puck('pushed', -6, 0, classic('push', 'force', { link_name: 'body', force_frame: 'link' })),
+const classicWorld = world('1.6', classic('demo', 'state'), classic('facts', 'properties'), puck('puck', -8, 0),
+  puck('pushed', -6, 0, classic('push', 'force', { link_name: 'body', force_frame: 'link' })),
   rotor('wheel', -4, 'revolute', '0 0 1', classic('wheel', 'joint_state_publisher', { joint_name: 'joint' })),
   rotor('figure', -5, 'revolute', '0 0 1', classic('figure', 'joint_pose_trajectory'),
     classic('figure_joints', 'joint_state_publisher', { joint_name: 'joint' })),
   model('racer', '0 4 0 0 0 0', car(rolling, true), classic('racer', 'ackermann_drive', {
-    front_left_joint: 'front_left_joint', front_right_joint: 'front_right_joint', rear_left_joint: 'rear_left_joint',
-    rear_right_joint: 'rear_right_joint', left_steering_joint: 'left_steering_joint', right_steering_joint: 'right_steering_joint',
-    left_steering_pid_gain: '200 0 20', left_steering_i_range: '0 0', right_steering_pid_gain: '200 0 20',
-    right_steering_i_range: '0 0', linear_velocity_pid_gain: '2 0 0', linear_velocity_i_range: '0 0', max_speed: 2,
-    publish_odom: 'true', publish_distance: 'true', publish_steerangle: 'true',
+    front_left_joint: 'front_left_joint',
+    front_right_joint: 'front_right_joint',
+    rear_left_joint: 'rear_left_joint',
+    rear_right_joint: 'rear_right_joint',
+    left_steering_joint: 'left_steering_joint',
+    right_steering_joint: 'right_steering_joint',
+    left_steering_pid_gain: '200 0 20',
+    left_steering_i_range: '0 0',
+    right_steering_pid_gain: '200 0 20',
+    right_steering_i_range: '0 0',
+    linear_velocity_pid_gain: '2 0 0',
+    linear_velocity_i_range: '0 0',
+    max_speed: 2,
+    publish_odom: 'true',
+    publish_distance: 'true',
+    publish_steerangle: 'true',
   })));
 
 /** The parts that both programs share: the measurements of a topic, and waiting for the clock. */
@@ -450,13 +480,22 @@ interface Lab {
 }
 const labs: readonly Lab[] = [
   {
-    name: 'Gazebo Sim', depends: ['ros_gz_sim', 'ros_gz_bridge'], messages: ['ros_gz_interfaces'], world: simWorld, pilot: simPilot,
+    name: 'Gazebo Sim',
+    depends: ['ros_gz_sim', 'ros_gz_bridge'],
+    messages: ['ros_gz_interfaces'],
+    world: simWorld,
+    pilot: simPilot,
     launch: launch(`${include('ros_gz_sim', 'gz_sim.launch.py', "{'gz_args': '-r -s ' + world}")}
         Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=[${bridged.map((one) => `'${one}'`).join(', ')}]),`),
-    said: [/ERROR.*Failed to find joint \[joynt\] for model \[misspelt\]; the nearest joint is \[joint\]$/m, /four driven wheels turn to the left: 1$/m, /\[JointController\] subscribed to Double messages on \[\/model\/spinner\/joint\/joint\/cmd_vel\]$/m],
+    said: [/ERROR.*Failed to find joint \[joynt\] for model \[misspelt\]; the nearest joint is \[joint\]$/m, /four driven wheels turn to the left: 1$/m,
+      /\[JointController\] subscribed to Double messages on \[\/model\/spinner\/joint\/joint\/cmd_vel\]$/m],
   },
   {
-    name: 'Gazebo Classic', depends: ['gazebo_ros'], messages: ['gazebo_msgs'], world: classicWorld, pilot: classicPilot,
+    name: 'Gazebo Classic',
+    depends: ['gazebo_ros'],
+    messages: ['gazebo_msgs'],
+    world: classicWorld,
+    pilot: classicPilot,
     launch: launch(include('gazebo_ros', 'gzserver.launch.py', "{'world': world}")),
     said: [
       /pushed: 1, and nobody: 0$/m,

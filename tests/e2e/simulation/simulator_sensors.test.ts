@@ -27,11 +27,11 @@ function earthPoint(latitude: number, longitude: number, altitude: number): [num
 
 /** Latitude and longitude of the station: the ones whose point is where the tangent plane has it, by Newton's method. */
 function stationOnEarth(): [number, number] {
-  const [sp, cp, sl, cl] = [Math.sin(origin.latitude * rad), Math.cos(origin.latitude * rad), Math.sin(origin.longitude * rad), Math.cos(origin.longitude * rad)];
+  const [sp, cp, sl, cl] = [Math.sin(origin.latitude * rad), Math.cos(origin.latitude * rad), Math.sin(origin.longitude * rad),
+    Math.cos(origin.longitude * rad)];
   const home = earthPoint(origin.latitude, origin.longitude, origin.elevation);
   const { east, north, up } = station;
-  const target = [home[0] - sl * east - sp * cl * north + cp * cl * up, home[1] + cl * east - sp * sl * north + cp * sl * up,
-    home[2] + cp * north + sp * up];
+  const target = [home[0] - sl * east - sp * cl * north + cp * cl * up, home[1] + cl * east - sp * sl * north + cp * sl * up, home[2] + cp * north + sp * up];
   let [latitude, longitude, altitude] = [origin.latitude, origin.longitude, origin.elevation];
   for (let i = 0; i < 20; i++) {
     const at = earthPoint(latitude, longitude, altitude);
@@ -58,7 +58,8 @@ interface Sensors {
   readonly station: string;
   readonly stone: string;
 }
-const world = (systems: string, sensors: Sensors): string => `<sdf version="1.7"><world name="yard">${systems}
+const world = (systems: string, sensors: Sensors): string =>
+  `<sdf version="1.7"><world name="yard">${systems}
   <magnetic_field>1e-6 2e-6 -4e-5</magnetic_field>
   <model name="floor"><static>true</static><link name="l"><collision name="c"><geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>
   <model name="crate"><pose>0 0 0.1 0 0 0</pose><link name="body"><inertial><mass>2</mass></inertial>
@@ -75,11 +76,13 @@ const world = (systems: string, sensors: Sensors): string => `<sdf version="1.7"
 </world></sdf>
 `;
 
-const bumper = (namespace: string, collisions: string): string => `<sensor name="bumper" type="contact"><update_rate>20</update_rate>
+const bumper = (namespace: string, collisions: string): string =>
+  `<sensor name="bumper" type="contact"><update_rate>20</update_rate>
   <contact>${collisions}</contact><plugin name="${namespace}_bumper" filename="libgazebo_ros_bumper.so">
   <ros><namespace>${namespace}</namespace></ros><frame_name>floor</frame_name></plugin></sensor>`;
 const shell = '<collision>shell</collision>';
-const onEarth = (heading: number): string => `<spherical_coordinates><surface_model>EARTH_WGS84</surface_model>
+const onEarth = (heading: number): string =>
+  `<spherical_coordinates><surface_model>EARTH_WGS84</surface_model>
   <latitude_deg>${origin.latitude}</latitude_deg><longitude_deg>${origin.longitude}</longitude_deg>
   <elevation>${origin.elevation}</elevation><heading_deg>${heading}</heading_deg></spherical_coordinates>`;
 const classicWorld = world(onEarth(180), {
@@ -110,11 +113,14 @@ const simSensors: Sensors = {
   stone: `<sensor name="height" type="altimeter"><topic>height</topic><update_rate>10</update_rate><altimeter>
     <vertical_velocity><noise type="gaussian"><stddev>0.01</stddev></noise></vertical_velocity></altimeter></sensor>`,
 };
-const system = (name: string, library: string): string =>
-  `<plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>`;
+const system = (name: string, library: string): string => `<plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>`;
 const needed: readonly (readonly [string, string, string])[] = [
-  ['contact', 'Contact', 'contact'], ['force_torque', 'ForceTorque', 'forcetorque'], ['navsat', 'NavSat', 'navsat'],
-  ['altimeter', 'Altimeter', 'altimeter'], ['magnetometer', 'Magnetometer', 'magnetometer'], ['air_pressure', 'AirPressure', 'air-pressure'],
+  ['contact', 'Contact', 'contact'],
+  ['force_torque', 'ForceTorque', 'forcetorque'],
+  ['navsat', 'NavSat', 'navsat'],
+  ['altimeter', 'Altimeter', 'altimeter'],
+  ['magnetometer', 'Magnetometer', 'magnetometer'],
+  ['air_pressure', 'AirPressure', 'air-pressure'],
 ];
 const simWorld = world(system('Physics', 'physics') + system('Sensors', 'sensors')
   + needed.map(([, name, library]) => system(name, library)).join('') + onEarth(0), simSensors);
@@ -210,11 +216,15 @@ int main(int argc, char** argv) {
 `;
 
 const bridged = [
-  '/bumper@ros_gz_interfaces/msg/Contacts[gz.msgs.Contacts', '/hover@ros_gz_interfaces/msg/Contacts[gz.msgs.Contacts',
+  '/bumper@ros_gz_interfaces/msg/Contacts[gz.msgs.Contacts',
+  '/hover@ros_gz_interfaces/msg/Contacts[gz.msgs.Contacts',
   '/world/yard/model/arm/joint/mount/sensor/cell/forcetorque@geometry_msgs/msg/WrenchStamped[gz.msgs.Wrench',
-  '/fix@sensor_msgs/msg/NavSatFix[gz.msgs.NavSat', '/sonar@sensor_msgs/msg/Range[gz.msgs.LaserScan',
-  '/magnetic@sensor_msgs/msg/MagneticField[gz.msgs.Magnetometer', '/pressure@sensor_msgs/msg/FluidPressure[gz.msgs.FluidPressure',
-  '/height@ros_gz_interfaces/msg/Altimeter[gz.msgs.Altimeter', '/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock',
+  '/fix@sensor_msgs/msg/NavSatFix[gz.msgs.NavSat',
+  '/sonar@sensor_msgs/msg/Range[gz.msgs.LaserScan',
+  '/magnetic@sensor_msgs/msg/MagneticField[gz.msgs.Magnetometer',
+  '/pressure@sensor_msgs/msg/FluidPressure[gz.msgs.FluidPressure',
+  '/height@ros_gz_interfaces/msg/Altimeter[gz.msgs.Altimeter',
+  '/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock',
 ];
 const launch = (simulator: string, world: string, kinds: number, more = ''): string => `
 from ament_index_python.packages import get_package_share_directory
@@ -247,9 +257,15 @@ install(FILES classic.world sim.world bare.world classic.launch.py sim.launch.py
 const workspace = new PackWorkspace('shared');
 before(async () => {
   workspace.addPackage('yard', { listener }, { cmake, depends: ['rclcpp', ...messages, 'gazebo_ros', 'ros_gz_sim', 'ros_gz_bridge'] });
-  for (const [name, text] of Object.entries({
-    'classic.world': classicWorld, 'sim.world': simWorld, 'bare.world': bareWorld, 'classic.launch.py': classicLaunch, 'sim.launch.py': simLaunch,
-  })) workspace.write(`src/yard/${name}`, text);
+  for (
+    const [name, text] of Object.entries({
+      'classic.world': classicWorld,
+      'sim.world': simWorld,
+      'bare.world': bareWorld,
+      'classic.launch.py': classicLaunch,
+      'sim.launch.py': simLaunch,
+    })
+  ) workspace.write(`src/yard/${name}`, text);
   for (const kind of ['classic', 'sim']) {
     workspace.write(`${kind}.yaml`, `schema: 1\nname: yard\npackages: [src/*]\nlaunch: src/yard/${kind}.launch.py\n`);
     const packed = await workspace.run(['pack', `${kind}.yaml`, '-o', kind]);
@@ -274,32 +290,36 @@ const fix = (frame: string): RegExp => {
 
 test('Gazebo Classic: contacts, wrench, position and distance', watchdog, async () => {
   const said = await consoleOf('classic', 'sensors were heard');
-  for (const line of [
-    // 2 kg on four corners; the weight of 3 kg at 0.5 m.
-    /contact in floor: 1, crate::body::shell on floor::l::c, 4 points, normal 1, 19\.60 N$/m,
-    /the balloon touches 0$/m,
-    /wrench in boom: -29\.40 N, 14\.70 N m$/m,
-    fix('top'),
-    /the stone falls 1\.00 times as it should$/m,
-    /sonar in top: 0, 0\.20 rad, 2\.000 m$/m,
-    /WARN.*\[crate\.crate_bumper\]: contact sensor \[bumper\]: the link \[body\] has no collision \[shel\]: did you mean \[shell\]\?$/m,
-    /ERROR.*\[lost\]: Joint \[moun\] does not exist\. Aborting; did you mean \[mount\]\?$/m,
-    /ERROR.*plugin \[astray\] \(libgazebo_ros_gps_sensor\.so\) does not work here: it must be inside a <sensor> of a link$/m,
-  ]) assert.match(said, line);
+  for (
+    const line of [
+      // 2 kg on four corners; the weight of 3 kg at 0.5 m.
+      /contact in floor: 1, crate::body::shell on floor::l::c, 4 points, normal 1, 19\.60 N$/m,
+      /the balloon touches 0$/m,
+      /wrench in boom: -29\.40 N, 14\.70 N m$/m,
+      fix('top'),
+      /the stone falls 1\.00 times as it should$/m,
+      /sonar in top: 0, 0\.20 rad, 2\.000 m$/m,
+      /WARN.*\[crate\.crate_bumper\]: contact sensor \[bumper\]: the link \[body\] has no collision \[shel\]: did you mean \[shell\]\?$/m,
+      /ERROR.*\[lost\]: Joint \[moun\] does not exist\. Aborting; did you mean \[mount\]\?$/m,
+      /ERROR.*plugin \[astray\] \(libgazebo_ros_gps_sensor\.so\) does not work here: it must be inside a <sensor> of a link$/m,
+    ]
+  ) assert.match(said, line);
 });
 
 test('Gazebo Sim: contacts, wrench, position, height, field, pressure and distance', watchdog, async () => {
   const said = await consoleOf('sim', 'sensors were heard');
-  for (const line of [
-    /contact in : 1, crate::body::shell on floor::l::c, 4 points, normal 1, 19\.60 N$/m,
-    /wrench in arm\/mount\/cell: -29\.40 N, 14\.70 N m$/m,
-    fix('station/top/gps'),
-    /height in stone\/body\/height: 1\.00 and 1\.00 times as it should, from 2000$/m,
-    /field: 2\.0 -1\.0 -40\.0 uT$/m,
-    /pressure: 898\.8 hPa$/m, // at 1000 m
-    /sonar in station\/top\/sonar: 0, 0\.20 rad, 2\.000 m$/m,
-    /WARN.*contact sensor \[bumper\]: the link \[body\] has no collision \[shel\]: did you mean \[shell\]\?$/m,
-  ]) assert.match(said, line);
+  for (
+    const line of [
+      /contact in : 1, crate::body::shell on floor::l::c, 4 points, normal 1, 19\.60 N$/m,
+      /wrench in arm\/mount\/cell: -29\.40 N, 14\.70 N m$/m,
+      fix('station/top/gps'),
+      /height in stone\/body\/height: 1\.00 and 1\.00 times as it should, from 2000$/m,
+      /field: 2\.0 -1\.0 -40\.0 uT$/m,
+      /pressure: 898\.8 hPa$/m, // at 1000 m
+      /sonar in station\/top\/sonar: 0, 0\.20 rad, 2\.000 m$/m,
+      /WARN.*contact sensor \[bumper\]: the link \[body\] has no collision \[shel\]: did you mean \[shell\]\?$/m,
+    ]
+  ) assert.match(said, line);
   assert.doesNotMatch(said, /nothing touches|is skipped|is silent/);
 });
 
@@ -307,7 +327,10 @@ test('Gazebo Sim: without its system a sensor is silent, and the line that the w
   const said = await consoleOf('sim', 'type \\[altimeter\\] is silent', 'world:=bare.world');
   assert.match(said, /sensor \[gps\] of type \[navsat\] is silent: the world lacks <spherical_coordinates>/);
   for (const [type, name, library] of needed.filter(([kind]) => kind !== 'navsat'))
-    assert.match(said, new RegExp(`sensor \\[\\w+\\] of type \\[${type}\\] is silent: the world lacks <plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>$`, 'm'));
+    assert.match(said, new RegExp(
+      `sensor \\[\\w+\\] of type \\[${type}\\] is silent: the world lacks <plugin filename="gz-sim-${library}-system" name="gz::sim::systems::${name}"/>$`,
+      'm',
+    ));
 });
 
 test('two stepped runs of a seed sense the same', watchdog, async () => {

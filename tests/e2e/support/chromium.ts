@@ -29,4 +29,4 @@ function options(executablePath: string, extra: readonly string[]): LaunchOption
 }
 
 /** Gives WebGL to a machine without a graphics card. */
-export const kSoftwareWebGl: readonly string[] = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+export const SOFTWARE_WEB_GL: readonly string[] = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];

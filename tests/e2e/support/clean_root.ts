@@ -84,7 +84,9 @@ export class CleanRoot {
         if (existsSync(join('/var/lib/dpkg/info', file))) cpSync(join('/var/lib/dpkg/info', file), join(dpkg, 'info', file));
       }
     }
-    const paragraphs = readFileSync('/var/lib/dpkg/status', 'utf8').split('\n\n').filter((paragraph) => this.taken.has(/^Package: (\S+)$/m.exec(paragraph)?.[1] ?? ''));
+    const paragraphs = readFileSync('/var/lib/dpkg/status', 'utf8').split('\n\n').filter((paragraph) =>
+      this.taken.has(/^Package: (\S+)$/m.exec(paragraph)?.[1] ?? '')
+    );
     writeFileSync(join(dpkg, 'status'), `${paragraphs.join('\n\n')}\n`);
     for (const [name, minor] of [['null', '3'], ['urandom', '9']] as const)
       execFileSync('mknod', ['-m', '666', join(this.folder, 'dev', name), 'c', '1', minor]);
@@ -92,7 +94,8 @@ export class CleanRoot {
 
   /** In the root, as its only user, with nothing of this process's environment. /proc is there where this machine allows it. */
   run(command: readonly string[], cwd = '/root'): Promise<Finished> {
-    const inside = `cd "$0" && exec chroot . /usr/bin/env -i PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 sh -c 'cd "$0" && exec "$@"' "$@"`;
+    const inside =
+      `cd "$0" && exec chroot . /usr/bin/env -i PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 sh -c 'cd "$0" && exec "$@"' "$@"`;
     const script = `if [ "$1" = mounted ]; then shift; mount -t proc proc "$0/proc"; ${inside}
       elif unshare --mount true 2>/dev/null; then exec unshare --mount sh -c "$SCRIPT" "$0" mounted "$@"
       else ${inside}; fi`;

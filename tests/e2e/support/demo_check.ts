@@ -36,12 +36,12 @@ async function runInChromium(folder: string): Promise<string[]> {
     const wanted = WANTED;
     await page
       .waitForFunction(
-        (count) => ((document.body?.innerText ?? "").match(/I heard: '[^']*'/g) ?? []).length >= count,
+        (count) => ((document.body?.innerText ?? '').match(/I heard: '[^']*'/g) ?? []).length >= count,
         wanted,
         { timeout: WATCHDOG_MS },
       )
       .catch((error: unknown) => console.error([String(error), ...problems].join('\n')));
-    const text = await page.evaluate(() => (document.body?.innerText ?? ""));
+    const text = await page.evaluate(() => (document.body?.innerText ?? ''));
     return (text.match(HEARD) ?? text.match(/I heard: '[^']*'/g) ?? []).slice(0, WANTED);
   } finally {
     await browser.close();

@@ -35,7 +35,7 @@ export interface FrameOptions {
 export interface Reply {
   readonly ok: boolean;
   readonly result?: unknown;
-  readonly error?: { readonly code: string; readonly message: string };
+  readonly error?: { readonly code: string; readonly message: string; };
 }
 
 export class EmbeddingPage {
@@ -64,7 +64,7 @@ export class EmbeddingPage {
   }
 
   /** Shows `address` in a frame of this page, and gives both. */
-  async open(browser: Browser, address: string, options: FrameOptions = {}): Promise<{ page: Page; frame: Frame }> {
+  async open(browser: Browser, address: string, options: FrameOptions = {}): Promise<{ page: Page; frame: Frame; }> {
     const { sandbox, width = 640, height = 360 } = options;
     const html = `<!doctype html><html lang="en"><title>Course</title><style>body { font: 16px/1.5 sans-serif; max-width: 50rem; `
       + `margin: 2rem auto; } iframe { border: 1px solid #999; }</style><h1>Week 4: a course page</h1><p>Below runs a ROS 2 workspace.</p>`
@@ -80,5 +80,5 @@ export class EmbeddingPage {
 
 /** Asks the page in the frame. */
 export function ask(page: Page, order: Readonly<Record<string, unknown>>): Promise<Reply> {
-  return page.evaluate((what) => (globalThis as unknown as { ask: (order: unknown) => Promise<Reply> }).ask(what), order);
+  return page.evaluate((what) => (globalThis as unknown as { ask: (order: unknown) => Promise<Reply>; }).ask(what), order);
 }

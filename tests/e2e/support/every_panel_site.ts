@@ -5,9 +5,9 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type Scratch, runCli } from './served_site.ts';
 
-const kRoot = fileURLToPath(new URL('../../..', import.meta.url));
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 
-const kPackages = [
+const PACKAGES = [
   'examples/05_mobile_robot/src/mobile_robot',
   'examples/06_notebook/src/relay',
   'tests/packages/board_companions_py',
@@ -16,7 +16,7 @@ const kPackages = [
   'tests/packages/lifecycle_sensor',
 ];
 
-const kLaunch = `<launch>
+const LAUNCH = `<launch>
   <include file="$(find-pkg-share mobile_robot)/launch/robot.launch.xml"/>
   <node pkg="turtlesim" exec="turtlesim_node" name="turtlesim"/>
   <node pkg="countdown" exec="server"/>
@@ -27,7 +27,7 @@ const kLaunch = `<launch>
 </launch>
 `;
 
-const kManifest = `schema: 1
+const MANIFEST = `schema: 1
 name: every_panel
 title: Every panel
 version: 1.0.0
@@ -49,12 +49,12 @@ ui:
 
 /** Packs it, and gives the site's folder. */
 export async function packEveryPanel(scratch: Scratch): Promise<string> {
-  for (const folder of kPackages)
-    cpSync(join(kRoot, folder), join(scratch.path, 'src', folder.slice(folder.lastIndexOf('/') + 1)), { recursive: true });
-  cpSync(join(kRoot, 'examples/05_mobile_robot/lab.md'), join(scratch.path, 'lab.md'));
-  cpSync(join(kRoot, 'examples/06_notebook/lab.ipynb'), join(scratch.path, 'lab.ipynb'));
-  scratch.file('all.launch.xml', kLaunch);
-  const manifest = scratch.file('workspace.yaml', kManifest);
+  for (const folder of PACKAGES)
+    cpSync(join(ROOT, folder), join(scratch.path, 'src', folder.slice(folder.lastIndexOf('/') + 1)), { recursive: true });
+  cpSync(join(ROOT, 'examples/05_mobile_robot/lab.md'), join(scratch.path, 'lab.md'));
+  cpSync(join(ROOT, 'examples/06_notebook/lab.ipynb'), join(scratch.path, 'lab.ipynb'));
+  scratch.file('all.launch.xml', LAUNCH);
+  const manifest = scratch.file('workspace.yaml', MANIFEST);
   const site = join(scratch.path, 'site');
   const packed = await runCli(['pack', manifest, '-o', site]);
   assert.equal(packed.code, 0, packed.errors);

@@ -33,7 +33,7 @@ export class PackWorkspace {
   }
 
   /** An ament_cmake package with one program per entry of `programs` (name -> C++ text). */
-  addPackage(name: string, programs: Readonly<Record<string, string>>, options: { cmake?: string; depends?: readonly string[] } = {}): void {
+  addPackage(name: string, programs: Readonly<Record<string, string>>, options: { cmake?: string; depends?: readonly string[]; } = {}): void {
     const depends = (options.depends ?? []).map((d) => `  <depend>${d}</depend>\n`).join('');
     this.write(`src/${name}/package.xml`, `<?xml version="1.0"?>
 <package format="3">
@@ -134,8 +134,12 @@ setup(name='${name}', version='1.2.3', packages=['${name}'],
 export function finished(child: ChildProcess): Promise<Finished> {
   let stdout = '';
   let stderr = '';
-  child.stdout?.setEncoding('utf8').on('data', (text: string) => { stdout += text; });
-  child.stderr?.setEncoding('utf8').on('data', (text: string) => { stderr += text; });
+  child.stdout?.setEncoding('utf8').on('data', (text: string) => {
+    stdout += text;
+  });
+  child.stderr?.setEncoding('utf8').on('data', (text: string) => {
+    stderr += text;
+  });
   const watchdog = setTimeout(() => child.kill('SIGKILL'), WATCHDOG_MS);
   return new Promise((done, fail) => {
     child.on('error', fail);
@@ -147,7 +151,7 @@ export function finished(child: ChildProcess): Promise<Finished> {
 }
 
 /** Runs a singly linked program with the least of WASI, returns what it printed and its exit code. */
-export function runProgram(bytes: Uint8Array): { output: string; code: number } {
+export function runProgram(bytes: Uint8Array): { output: string; code: number; } {
   const module = new WebAssembly.Module(bytes as Uint8Array<ArrayBuffer>);
   const decoder = new TextDecoder();
   let output = '';

@@ -29,8 +29,14 @@ export function packedInBrowser(fill: (workspace: PackWorkspace) => void): Packe
     made?.workspace.close();
   });
   return {
-    get workspace() { return get().workspace; },
-    get browser() { return get().browser; },
-    get site() { return get().site; },
+    get workspace() {
+      return get().workspace;
+    },
+    get browser() {
+      return get().browser;
+    },
+    get site() {
+      return get().site;
+    },
   };
 }

@@ -8,7 +8,7 @@ import type { PagePublisher } from '../../../runtime/site/contract/session.ts';
 import { mountPage } from '../../../runtime/site/ui/mount.tsx';
 import { FakeChecks, type FakeOptions, FakeSession, FakeTasks, stringBytes } from '../../unit/ui/fake_session.ts';
 
-const kInterfaces = new Map([
+const INTERFACES = new Map([
   ['std_msgs/msg/String', 'string data\n'],
   ['std_msgs/msg/Header', 'builtin_interfaces/Time stamp\nstring frame_id\n'],
   ['builtin_interfaces/msg/Time', 'int32 sec\nuint32 nanosec\n'],
@@ -18,13 +18,12 @@ const kInterfaces = new Map([
   ],
 ]);
 
-const kHostile =
-  '<img src=x onerror="document.title=\'owned\'"><script>document.title="owned"</script>';
+const HOSTILE = '<img src=x onerror="document.title=\'owned\'"><script>document.title="owned"</script>';
 
-function talkerListener(options: { readonly link?: 'shared' | 'port' } = {}): FakeSession {
+function talkerListener(options: { readonly link?: 'shared' | 'port'; } = {}): FakeSession {
   const fake = new FakeSession({
     nodes: [{ executable: 'talker' }, { executable: 'listener' }],
-    interfaces: kInterfaces,
+    interfaces: INTERFACES,
     ...options,
   });
   let count = 0;
@@ -69,7 +68,7 @@ function crowd(): FakeSession {
       { executable: 'safety', package: 'mobile_robot', label: '/safety' },
       { executable: 'logger', package: 'course_tools', label: '/logger' },
     ],
-    interfaces: kInterfaces,
+    interfaces: INTERFACES,
     link: 'port',
   });
   fake.log('diff_drive-1', 'INFO', 'Wheel separation 0.287 m, wheel radius 0.033 m');
@@ -141,39 +140,39 @@ function scanBytes(): Uint8Array {
 
 function hostile(): FakeSession {
   const fake = new FakeSession({
-    title: kHostile,
-    authors: [kHostile],
+    title: HOSTILE,
+    authors: [HOSTILE],
     nodes: [
       {
         executable: 'talker',
-        label: `/${kHostile}`,
-        package: kHostile,
-        source: { file: kHostile, line: 1, column: 1 },
+        label: `/${HOSTILE}`,
+        package: HOSTILE,
+        source: { file: HOSTILE, line: 1, column: 1 },
       },
     ],
     interfaces: new Map([['std_msgs/msg/String', 'string data\n']]),
   });
   fake.print(
     'talker-1',
-    kHostile,
-    `[INFO] [1.0] [${kHostile}]: ${kHostile}`,
-    `\x1b[31m${kHostile}\x1b[0m`,
+    HOSTILE,
+    `[INFO] [1.0] [${HOSTILE}]: ${HOSTILE}`,
+    `\x1b[31m${HOSTILE}\x1b[0m`,
     '\u202e\u2066 turned around',
     'x'.repeat(50_000),
   );
   fake.setTopics([
-    { name: `/${kHostile}`, type: 'std_msgs/msg/String', count: 1 },
-    { name: '/odd', type: kHostile, count: 1 },
+    { name: `/${HOSTILE}`, type: 'std_msgs/msg/String', count: 1 },
+    { name: '/odd', type: HOSTILE, count: 1 },
   ]);
   fake.setGraph({
     nodes: [
-      graphNode(`/${kHostile}`, 'talker-1', { publishers: [endpoint(`/__proto__/${kHostile}`, kHostile), endpoint('/\u202eodd\u0000', kHostile)] }),
-      graphNode('/__proto__', 'talker-1', { subscriptions: [endpoint(`/__proto__/${kHostile}`, kHostile)] }),
-      graphNode('/constructor', 'talker-1', { subscriptions: [endpoint(`/${'x'.repeat(5000)}`, kHostile)] }),
+      graphNode(`/${HOSTILE}`, 'talker-1', { publishers: [endpoint(`/__proto__/${HOSTILE}`, HOSTILE), endpoint('/\u202eodd\u0000', HOSTILE)] }),
+      graphNode('/__proto__', 'talker-1', { subscriptions: [endpoint(`/__proto__/${HOSTILE}`, HOSTILE)] }),
+      graphNode('/constructor', 'talker-1', { subscriptions: [endpoint(`/${'x'.repeat(5000)}`, HOSTILE)] }),
     ],
   });
-  fake.publish(`/${kHostile}`, stringBytes(kHostile));
-  fake.publish('/odd', stringBytes(kHostile));
+  fake.publish(`/${HOSTILE}`, stringBytes(HOSTILE));
+  fake.publish('/odd', stringBytes(HOSTILE));
   return fake;
 }
 
@@ -183,7 +182,7 @@ async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession>
     nodes: [{ executable: 'robot' }],
     ...options,
     interfaces: new Map([
-      ...kInterfaces,
+      ...INTERFACES,
       [
         'sensor_msgs/msg/Image',
         'std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\nuint32 step\nuint8[] data\n',
@@ -213,12 +212,14 @@ async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession>
 
 /** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose, /initialpose and /clicked_point, `joints` what was on /joint_states. */
 async function world(): Promise<FakeSession> {
-  const { kWorldFiles, kWorldInterfaces, kWorldTopics } = await import('./world_interfaces.ts');
+  const { WORLD_FILES, WORLD_INTERFACES, WORLD_TOPICS } = await import('./world_interfaces.ts');
   const fake = new FakeSession({
-    nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces), files: kWorldFiles,
+    nodes: [{ executable: 'robot' }],
+    interfaces: new Map(WORLD_INTERFACES),
+    files: WORLD_FILES,
     ui: { opens: [{ panel: 'scene', file: 'share/meshes/view.rviz' }, { panel: 'joints' }, { panel: 'none' }, 7] },
   });
-  fake.setTopics(kWorldTopics);
+  fake.setTopics(WORLD_TOPICS);
   await giveSend(fake);
   const { createCodec } = await import('../../../runtime/site/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
@@ -229,7 +230,8 @@ async function world(): Promise<FakeSession> {
       list.push(decoded.kind === 'value' ? decoded.value : decoded.reason);
     });
   };
-  for (const [topic, name] of [['/goal_pose', 'PoseStamped'], ['/initialpose', 'PoseWithCovarianceStamped'], ['/clicked_point', 'PointStamped']] as const) listen(topic, `geometry_msgs/msg/${name}`, goals);
+  for (const [topic, name] of [['/goal_pose', 'PoseStamped'], ['/initialpose', 'PoseWithCovarianceStamped'], ['/clicked_point', 'PointStamped']] as const)
+    listen(topic, `geometry_msgs/msg/${name}`, goals);
   const joints: unknown[] = [];
   listen('/joint_states', 'sensor_msgs/msg/JointState', joints);
   Object.assign(globalThis, { goals, joints });
@@ -242,7 +244,8 @@ async function turtles(): Promise<FakeSession> {
     nodes: [{ executable: 'turtlesim_node', package: 'turtlesim' }],
     checks: [{ title: '', aim: { kind: 'rate', topic: '/turtle1/pose' }, withinMs: 10_000 }],
     interfaces: new Map([
-      ['turtlesim_scene/msg/Scene', 'uint16 width\nuint16 height\nfloat32 meter\nuint8[3] background\nTurtle[] turtles\nuint32 picture\nuint32 first\nStroke[] strokes\n'],
+      ['turtlesim_scene/msg/Scene',
+        'uint16 width\nuint16 height\nfloat32 meter\nuint8[3] background\nTurtle[] turtles\nuint32 picture\nuint32 first\nStroke[] strokes\n'],
       ['turtlesim_scene/msg/Turtle', 'string name\nfloat32 x\nfloat32 y\nfloat32 theta\nuint8 shape\nuint8[3] pen\nuint8 pen_width\nbool pen_on\n'],
       ['turtlesim_scene/msg/Stroke', 'float32 x1\nfloat32 y1\nfloat32 x2\nfloat32 y2\nuint8 r\nuint8 g\nuint8 b\nuint8 width\n'],
       ['geometry_msgs/msg/Twist', 'Vector3 linear\nVector3 angular\n'],
@@ -284,7 +287,7 @@ async function giveSend(fake: FakeSession): Promise<void> {
 function sheet(): FakeSession {
   return new FakeSession({
     nodes: [{ executable: 'talker' }, { executable: 'listener' }],
-    interfaces: kInterfaces,
+    interfaces: INTERFACES,
     ui: { text: 'text/lab/README.md' },
     files: ['text/lab/README.md', 'text/lab/arm 1.svg', 'text/logo.svg'],
   });
@@ -344,7 +347,12 @@ async function services(options: Partial<FakeOptions> = {}): Promise<FakeSession
   });
   const shown: GraphView = {
     nodes: [{
-      name: '/server', process: 'server-1', publishers: [], subscriptions: [], clients: [], actionClients: [],
+      name: '/server',
+      process: 'server-1',
+      publishers: [],
+      subscriptions: [],
+      clients: [],
+      actionClients: [],
       services: [endpoint('/add', 'demo/srv/Add'), endpoint('/server/get_parameters', 'rcl_interfaces/srv/GetParameters')],
       actionServers: [{ name: '/count', type: 'demo/action/Count' }],
     }],
@@ -366,7 +374,14 @@ async function services(options: Partial<FakeOptions> = {}): Promise<FakeSession
 function graphNode(name: string, process: string, has: Partial<GraphNodeView> = {}): GraphNodeView {
   const rosout = endpoint('/rosout', 'rcl_interfaces/msg/Log');
   return {
-    name, process, subscriptions: [], services: [], clients: [], actionServers: [], actionClients: [], ...has,
+    name,
+    process,
+    subscriptions: [],
+    services: [],
+    clients: [],
+    actionServers: [],
+    actionClients: [],
+    ...has,
     publishers: [...(has.publishers ?? []), rosout],
   };
 }
@@ -381,7 +396,7 @@ function graph(): FakeSession {
       { executable: 'mission', label: '/mission' },
       { executable: 'safety', label: '/safety' },
     ],
-    interfaces: kInterfaces,
+    interfaces: INTERFACES,
   });
   const scan = endpoint('/robot/scan', 'sensor_msgs/msg/LaserScan');
   const odom = endpoint('/robot/odom', 'nav_msgs/msg/Odometry');
@@ -415,14 +430,24 @@ function graph(): FakeSession {
 
 function endpoint(name: string, type: string): GraphEndpointView {
   return {
-    name, type, hash: '', gid: '0'.repeat(32),
+    name,
+    type,
+    hash: '',
+    gid: '0'.repeat(32),
     qos: {
-      reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,
+      reliability: 'reliable',
+      durability: 'volatile',
+      history: 'keep_last',
+      depth: 10,
+      liveliness: 'automatic',
+      deadlineNs: 0,
+      lifespanNs: 0,
+      leaseNs: 0,
     },
   };
 }
 
-const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>> = {
+const SCENES: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>> = {
   talker: () => talkerListener(),
   port: () => talkerListener({ link: 'port' }),
   crowd,
@@ -437,7 +462,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
     const fake = await services({ ui: { text: 'text/lab/README.md' }, files: ['text/lab/README.md'] });
     fake.checks = new FakeChecks([
       { title: '/topic above 1 Hz', state: 'failed', seen: '0 Hz', afterMs: 5000, withinMs: 5000 },
-      { title: kHostile, state: 'failed', seen: kHostile, afterMs: 5000, withinMs: 5000 },
+      { title: HOSTILE, state: 'failed', seen: HOSTILE, afterMs: 5000, withinMs: 5000 },
     ]);
     return fake;
   },
@@ -447,12 +472,12 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
     await giveSend(fake);
     return fake;
   },
-  parameters: async () => (await import('./page_fake_parameters.ts')).parameters(kHostile),
+  parameters: async () => (await import('./page_fake_parameters.ts')).parameters(HOSTILE),
   graph,
   teleop: async () => (await import('./page_fake_teleop.ts')).teleop(),
   hostile,
   hostile_work: async () => {
-    const fake = await (await import('./page_fake_hostile.ts')).hostileWork(kHostile.slice(0, kHostile.indexOf('>') + 1));
+    const fake = await (await import('./page_fake_hostile.ts')).hostileWork(HOSTILE.slice(0, HOSTILE.indexOf('>') + 1));
     await giveSend(fake);
     return fake;
   },
@@ -460,7 +485,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
     const fake = talkerListener();
     fake.checks = new FakeChecks([
       { title: '/topic above 1 Hz', state: 'passed', seen: '2 Hz', afterMs: 1250, withinMs: 10_000, source: { file: 'workspace.yaml', line: 12, column: 5 } },
-      { title: kHostile, state: 'failed', seen: kHostile, afterMs: 5000, withinMs: 5000 },
+      { title: HOSTILE, state: 'failed', seen: HOSTILE, afterMs: 5000, withinMs: 5000 },
       { title: 'listener prints /I heard/', state: 'waiting', seen: 'no line', withinMs: 20_000 },
     ]);
     return fake;
@@ -470,36 +495,47 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
     const aim = { kind: 'rate', topic: '/topic' } as const;
     const fake = new FakeSession({
       nodes: [{ executable: 'talker' }, { executable: 'listener' }],
-      interfaces: kInterfaces,
+      interfaces: INTERFACES,
       tasks: [
-        { title: 'Drive the turtle', text: 'Pass **x = 9**. [Start](ros2wasm:start?node=talker)', hint: 'Use *Teleop*.', solution: '`ros2 topic pub`', checks: [{ title: '', aim }, { title: '', aim }] },
-        { title: kHostile, text: kHostile, hint: '', solution: kHostile, checks: [{ title: '', aim }] },
+        {
+          title: 'Drive the turtle',
+          text: 'Pass **x = 9**. [Start](ros2wasm:start?node=talker)',
+          hint: 'Use *Teleop*.',
+          solution: '`ros2 topic pub`',
+          checks: [{ title: '', aim }, { title: '', aim }],
+        },
+        { title: HOSTILE, text: HOSTILE, hint: '', solution: HOSTILE, checks: [{ title: '', aim }] },
         { title: 'Stop it', text: '', hint: '', solution: '', checks: [{ title: '', aim }] },
       ],
     });
     fake.tasks = new FakeTasks([
-      { title: 'Drive the turtle', done: false, checks: [
-        { title: '/turtle1/pose: x is above 9', state: 'open', seen: 'no message', source: { file: 'workspace.yaml', line: 12, column: 5 } },
-        { title: '/topic above 1 Hz', state: 'already', seen: '2 Hz' },
-      ] },
-      { title: kHostile, done: false, checks: [{ title: kHostile, state: 'open', seen: kHostile }] },
+      {
+        title: 'Drive the turtle',
+        done: false,
+        checks: [
+          { title: '/turtle1/pose: x is above 9', state: 'open', seen: 'no message', source: { file: 'workspace.yaml', line: 12, column: 5 } },
+          { title: '/topic above 1 Hz', state: 'already', seen: '2 Hz' },
+        ],
+      },
+      { title: HOSTILE, done: false, checks: [{ title: HOSTILE, state: 'open', seen: HOSTILE }] },
       { title: 'Stop it', done: false, checks: [{ title: 'talker ends', state: 'open', seen: 'it runs' }] },
     ]);
     return fake;
   },
-  publish: () => new FakeSession({
-    nodes: [{ executable: 'robot' }],
-    interfaces: new Map([
-      ...kInterfaces,
-      ['geometry_msgs/msg/Twist', 'Vector3 linear\nVector3 angular\n'],
-      ['geometry_msgs/msg/Vector3', 'float64 x\nfloat64 y\nfloat64 z\n'],
-    ]),
-  }),
+  publish: () =>
+    new FakeSession({
+      nodes: [{ executable: 'robot' }],
+      interfaces: new Map([
+        ...INTERFACES,
+        ['geometry_msgs/msg/Twist', 'Vector3 linear\nVector3 angular\n'],
+        ['geometry_msgs/msg/Vector3', 'float64 x\nfloat64 y\nfloat64 z\n'],
+      ]),
+    }),
   empty: () => new FakeSession({ nodes: [] }),
   quiet: () =>
     new FakeSession({
       nodes: [{ executable: 'talker' }, { executable: 'listener' }],
-      interfaces: kInterfaces,
+      interfaces: INTERFACES,
     }),
   broken: () => {
     const fake = talkerListener();
@@ -525,7 +561,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   never: () => new Promise<FakeSession>(() => undefined),
 };
 
-const scene = kScenes[new URLSearchParams(location.search).get('scene') ?? 'talker'];
+const scene = SCENES[new URLSearchParams(location.search).get('scene') ?? 'talker'];
 const root = document.getElementById('page');
 if (root !== null && scene !== undefined) {
   const [started] = await Promise.allSettled([Promise.resolve().then(scene)]);

@@ -9,7 +9,7 @@ import { followGraph } from './page_fake_graph.ts';
 
 type Value = Readonly<Record<string, unknown>>;
 
-export const kHealthInterfaces: ReadonlyMap<string, string> = new Map([
+export const HEALTH_INTERFACES: ReadonlyMap<string, string> = new Map([
   ['builtin_interfaces/msg/Time', 'int32 sec\nuint32 nanosec\n'],
   ['std_msgs/msg/Header', 'builtin_interfaces/Time stamp\nstring frame_id\n'],
   ['diagnostic_msgs/msg/DiagnosticArray', 'std_msgs/Header header\nDiagnosticStatus[] status\n'],
@@ -24,8 +24,8 @@ export const kHealthInterfaces: ReadonlyMap<string, string> = new Map([
   ['lifecycle_msgs/srv/ChangeState', 'Transition transition\n---\nbool success\n'],
 ]);
 
-const kStates: Readonly<Record<number, string>> = { 1: 'unconfigured', 2: 'inactive', 3: 'active', 4: 'finalized' };
-const kTransitions = [
+const STATES: Readonly<Record<number, string>> = { 1: 'unconfigured', 2: 'inactive', 3: 'active', 4: 'finalized' };
+const TRANSITIONS = [
   { id: 1, label: 'configure', from: 1, to: 2 },
   { id: 2, label: 'cleanup', from: 2, to: 1 },
   { id: 3, label: 'activate', from: 2, to: 3 },
@@ -62,13 +62,15 @@ export class ManagedPeer {
     this.events = peer.make(EndpointKind.publisher, this.name, `/${this.name}/transition_event`, 'lifecycle_msgs/msg/TransitionEvent', { depth: 100 });
     this.serve(peer, 'get_state', 'GetState', () => ({ current_state: this.stateOf(this.state) }));
     this.serve(peer, 'get_available_transitions', 'GetAvailableTransitions', () => ({
-      available_transitions: kTransitions.filter(({ from }) => from === this.state).map(({ id, label, from, to }) => ({
-        transition: { id, label: this.dress(label) }, start_state: this.stateOf(from), goal_state: this.stateOf(to),
+      available_transitions: TRANSITIONS.filter(({ from }) => from === this.state).map(({ id, label, from, to }) => ({
+        transition: { id, label: this.dress(label) },
+        start_state: this.stateOf(from),
+        goal_state: this.stateOf(to),
       })),
     }));
     this.serve(peer, 'change_state', 'ChangeState', ({ transition }) => {
-      const { id } = transition as { readonly id: number };
-      const chosen = kTransitions.find((each) => each.id === id && each.from === this.state);
+      const { id } = transition as { readonly id: number; };
+      const chosen = TRANSITIONS.find((each) => each.id === id && each.from === this.state);
       if (chosen === undefined || this.refuses) return { success: false };
       this.go(chosen.label, chosen.to);
       return { success: true };
@@ -102,7 +104,7 @@ export class ManagedPeer {
   }
 
   private stateOf(id: number): Value {
-    return { id, label: this.dress(kStates[id] ?? 'unknown') };
+    return { id, label: this.dress(STATES[id] ?? 'unknown') };
   }
 
   private bytes(type: string, value: Value): Uint8Array {
@@ -113,7 +115,7 @@ export class ManagedPeer {
 }
 
 export async function health(): Promise<FakeSession> {
-  const fake = new FakeSession({ nodes: [{ executable: 'driver' }], interfaces: kHealthInterfaces });
+  const fake = new FakeSession({ nodes: [{ executable: 'driver' }], interfaces: HEALTH_INTERFACES });
   fake.setTopics([{ name: '/diagnostics', type: 'diagnostic_msgs/msg/DiagnosticArray' }]);
   const codec = createCodec(await fake.interfaces());
   const driver = new ManagedPeer(fake, codec, 'driver');

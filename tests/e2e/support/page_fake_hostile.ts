@@ -5,14 +5,14 @@ import { createCodec } from '../../../runtime/site/decode/codec.ts';
 import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
 import { FakeSession } from '../../unit/ui/fake_session.ts';
 import { GraphPeer } from '../../unit/site/graph_peer.ts';
-import { kHealthInterfaces, ManagedPeer } from './page_fake_health.ts';
+import { HEALTH_INTERFACES, ManagedPeer } from './page_fake_health.ts';
 import { followGraph } from './page_fake_graph.ts';
 
 export async function hostileWork(markup: string): Promise<FakeSession> {
   const fake = new FakeSession({
     nodes: [{ executable: 'server' }],
     interfaces: new Map([
-      ...kHealthInterfaces,
+      ...HEALTH_INTERFACES,
       ['demo/msg/Word', `string word "${markup.replaceAll('"', "'")}"\n`],
       ['demo/msg/Odd', `string ${markup}\n`],
       ['demo/srv/Echo', `string word "${markup.replaceAll('"', "'")}"\n---\nstring word\nstring[] words\n`],

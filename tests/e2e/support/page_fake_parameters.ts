@@ -14,15 +14,18 @@ interface Declared {
   readonly descriptor: Value;
 }
 
-const kRange = 'from_value\nTYPE to_value\nSTEP step\n';
-const kInterfaces = new Map([
+const RANGE = 'from_value\nTYPE to_value\nSTEP step\n';
+const INTERFACES = new Map([
   ['builtin_interfaces/msg/Time', 'int32 sec\nuint32 nanosec\n'],
-  ['rcl_interfaces/msg/ParameterValue', 'uint8 type\nbool bool_value\nint64 integer_value\nfloat64 double_value\nstring string_value\nbyte[] byte_array_value\nbool[] bool_array_value\nint64[] integer_array_value\nfloat64[] double_array_value\nstring[] string_array_value\n'],
+  ['rcl_interfaces/msg/ParameterValue',
+    'uint8 type\nbool bool_value\nint64 integer_value\nfloat64 double_value\nstring string_value\nbyte[] byte_array_value\nbool[] bool_array_value\nint64[] integer_array_value\nfloat64[] double_array_value\nstring[] string_array_value\n'],
   ['rcl_interfaces/msg/Parameter', 'string name\nParameterValue value\n'],
-  ['rcl_interfaces/msg/ParameterEvent', 'builtin_interfaces/Time stamp\nstring node\nParameter[] new_parameters\nParameter[] changed_parameters\nParameter[] deleted_parameters\n'],
-  ['rcl_interfaces/msg/IntegerRange', `int64 ${kRange.replace('TYPE', 'int64').replace('STEP', 'uint64')}`],
-  ['rcl_interfaces/msg/FloatingPointRange', `float64 ${kRange.replace('TYPE', 'float64').replace('STEP', 'float64')}`],
-  ['rcl_interfaces/msg/ParameterDescriptor', 'string name\nuint8 type\nstring description\nstring additional_constraints\nbool read_only\nbool dynamic_typing\nFloatingPointRange[<=1] floating_point_range\nIntegerRange[<=1] integer_range\n'],
+  ['rcl_interfaces/msg/ParameterEvent',
+    'builtin_interfaces/Time stamp\nstring node\nParameter[] new_parameters\nParameter[] changed_parameters\nParameter[] deleted_parameters\n'],
+  ['rcl_interfaces/msg/IntegerRange', `int64 ${RANGE.replace('TYPE', 'int64').replace('STEP', 'uint64')}`],
+  ['rcl_interfaces/msg/FloatingPointRange', `float64 ${RANGE.replace('TYPE', 'float64').replace('STEP', 'float64')}`],
+  ['rcl_interfaces/msg/ParameterDescriptor',
+    'string name\nuint8 type\nstring description\nstring additional_constraints\nbool read_only\nbool dynamic_typing\nFloatingPointRange[<=1] floating_point_range\nIntegerRange[<=1] integer_range\n'],
   ['rcl_interfaces/msg/ListParametersResult', 'string[] names\nstring[] prefixes\n'],
   ['rcl_interfaces/msg/SetParametersResult', 'bool successful\nstring reason\n'],
   ['rcl_interfaces/srv/ListParameters', 'string[] prefixes\nuint64 depth\n---\nListParametersResult result\n'],
@@ -58,7 +61,7 @@ class ParameterNode {
       descriptors: (names as string[]).map((name) => ({ name, ...this.declared?.get(name)?.descriptor })),
     }));
     this.serve(peer, 'set_parameters', 'SetParameters', ({ parameters }) => ({
-      results: (parameters as { readonly name: string; readonly value: Value }[]).map(({ name, value }) => {
+      results: (parameters as { readonly name: string; readonly value: Value; }[]).map(({ name, value }) => {
         if (value['type'] === 3 && Number(value['double_value']) > 2) return { successful: false, reason: `${name} must not be above 2.0` };
         this.change(name, value);
         return { successful: true, reason: '' };
@@ -109,14 +112,16 @@ class ParameterNode {
 }
 
 export async function parameters(hostile: string): Promise<FakeSession> {
-  const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: kInterfaces, ui: { text: 'text/lab/README.md' }, files: ['text/lab/README.md'] });
+  const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: INTERFACES, ui: { text: 'text/lab/README.md' }, files: ['text/lab/README.md'] });
   const codec = createCodec(await fake.interfaces());
   const plain = (value: Value, descriptor: Value = {}): Declared => ({ value, descriptor: { type: value['type'], ...descriptor } });
   const robot = new ParameterNode(fake, codec, 'robot', new Map([
     ['speed', plain({ type: 3, double_value: 1.5 }, {
-      description: 'How fast it may go, in m/s', floating_point_range: [{ from_value: 0, to_value: 4, step: 0.5 }],
+      description: 'How fast it may go, in m/s',
+      floating_point_range: [{ from_value: 0, to_value: 4, step: 0.5 }],
     })],
-    ['wheels.count', plain({ type: 2, integer_value: 4n }, { integer_range: [{ from_value: 2n, to_value: 8n, step: 2n }], additional_constraints: 'an even number' })],
+    ['wheels.count',
+      plain({ type: 2, integer_value: 4n }, { integer_range: [{ from_value: 2n, to_value: 8n, step: 2n }], additional_constraints: 'an even number' })],
     ['wheels.radius', plain({ type: 3, double_value: 0.1 })],
     ['use_sim_time', plain({ type: 1, bool_value: false })],
     ['frame', plain({ type: 4, string_value: 'base_link' }, { read_only: true, description: 'Decided at the start' })],

@@ -17,8 +17,8 @@ export interface Heard {
 }
 
 interface Twist {
-  readonly linear: { readonly x: number };
-  readonly angular: { readonly z: number };
+  readonly linear: { readonly x: number; };
+  readonly angular: { readonly z: number; };
 }
 
 export async function teleop(): Promise<FakeSession> {
@@ -42,10 +42,15 @@ export async function teleop(): Promise<FakeSession> {
         const { bytes } = await peer.next(handle);
         const decoded = codec.decode(type, bytes);
         if (decoded.kind === 'failed') throw new Error(decoded.reason);
-        const value = decoded.value as Twist & { readonly twist?: Twist; readonly header?: { readonly frame_id: string; readonly stamp: { readonly sec: number } } };
+        const value = decoded.value as Twist & {
+          readonly twist?: Twist;
+          readonly header?: { readonly frame_id: string; readonly stamp: { readonly sec: number; }; };
+        };
         const { linear, angular } = value.twist ?? value;
         driven.push({
-          topic, linear: linear.x, angular: angular.z,
+          topic,
+          linear: linear.x,
+          angular: angular.z,
           ...(value.header === undefined ? {} : { frame: value.header.frame_id, sec: value.header.stamp.sec }),
         });
       }

@@ -5,17 +5,17 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import * as esbuild from 'esbuild';
 
-const kRoot = fileURLToPath(new URL('../../..', import.meta.url));
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 /** The cache of a run of all tests, empty at first: the page is built there once for all of them. */
-const kSharedCache = process.env['ROS2WASM_TEST_CACHE'];
+const SHARED_CACHE = process.env['ROS2WASM_TEST_CACHE'];
 
 /** The built page: everything as in a site, but the session. Returns the folder. */
 export async function buildFakePage(folder: string): Promise<string> {
-  if (kSharedCache === undefined) return build(folder);
-  const shared = join(kSharedCache, 'fake-page');
+  if (SHARED_CACHE === undefined) return build(folder);
+  const shared = join(SHARED_CACHE, 'fake-page');
   if (!existsSync(shared)) {
-    mkdirSync(kSharedCache, { recursive: true });
-    const made = await build(mkdtempSync(join(kSharedCache, 'fake-page.')));
+    mkdirSync(SHARED_CACHE, { recursive: true });
+    const made = await build(mkdtempSync(join(SHARED_CACHE, 'fake-page.')));
     // Another file of tests may have been first: its page is the same.
     try {
       renameSync(made, shared);
@@ -29,12 +29,12 @@ export async function buildFakePage(folder: string): Promise<string> {
 }
 
 async function build(folder: string): Promise<string> {
-  const ui = join(kRoot, 'runtime/site/ui');
+  const ui = join(ROOT, 'runtime/site/ui');
   mkdirSync(folder, { recursive: true });
   const shared = { bundle: true, minify: true, target: 'es2022', logLevel: 'warning' } as const;
   await esbuild.build({
     ...shared,
-    entryPoints: { start: join(kRoot, 'tests/e2e/support/page_fake.tsx') },
+    entryPoints: { start: join(ROOT, 'tests/e2e/support/page_fake.tsx') },
     outdir: folder,
     format: 'esm',
     splitting: true,

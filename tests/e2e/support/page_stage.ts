@@ -26,7 +26,7 @@ interface AxeResult {
   }[];
 }
 
-const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 export const phone: BrowserContextOptions = { viewport: { width: 360, height: 740 } };
 
@@ -96,10 +96,10 @@ export class PageStage {
 
 /** Fails when axe-core finds anything, best practices included. */
 export async function expectAccessible(page: Page | Frame): Promise<void> {
-  if (!await page.evaluate(() => 'axe' in globalThis)) await page.evaluate(kAxe);
+  if (!await page.evaluate(() => 'axe' in globalThis)) await page.evaluate(AXE);
   const violations = await page.evaluate(async () => {
     const { axe } = globalThis as unknown as {
-      axe: { run: (options: object) => Promise<{ violations: AxeResult[] }> };
+      axe: { run: (options: object) => Promise<{ violations: AxeResult[]; }>; };
     };
     // The only rule of WCAG 2.2 AA, and the only one of A and AA that does not run unasked.
     return (await axe.run({ rules: { 'target-size': { enabled: true } }, resultTypes: ['violations'] })).violations;

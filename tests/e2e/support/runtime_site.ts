@@ -30,8 +30,11 @@ export interface PythonPart {
 
 /** A temporary folder with a whole site. `more`: further files; `ui`: as in the manifest; `texts`: of another language. */
 export function makeSite(
-  nodes: readonly TestNode[], more: Readonly<Record<string, string>> = {}, ui: Readonly<Record<string, unknown>> = {},
-  python?: PythonPart, texts?: string,
+  nodes: readonly TestNode[],
+  more: Readonly<Record<string, string>> = {},
+  ui: Readonly<Record<string, unknown>> = {},
+  python?: PythonPart,
+  texts?: string,
 ): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-site-'));
   const assets = join(folder, 'assets');
@@ -47,8 +50,18 @@ export function makeSite(
     writeFileSync(join(folder, 'programs', `${name}.wasm`), split.program);
     writeFileSync(join(folder, 'programs', `${name}.names`), split.names);
     return {
-      id: `${name}-${i + 1}`, package: 'test', executable: name, label: `/${name}`, kind: 'cpp', threads, respawn,
-      program: `programs/${name}.wasm`, names: `programs/${name}.names`, arguments: ['--ros-args'], environment: { COLOUR: 'red' }, output: 'screen',
+      id: `${name}-${i + 1}`,
+      package: 'test',
+      executable: name,
+      label: `/${name}`,
+      kind: 'cpp',
+      threads,
+      respawn,
+      program: `programs/${name}.wasm`,
+      names: `programs/${name}.names`,
+      arguments: ['--ros-args'],
+      environment: { COLOUR: 'red' },
+      output: 'screen',
       source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
     };
   });
@@ -70,8 +83,18 @@ export function makeSite(
       return { path, size: bytes.length, sha256: createHash('sha256').update(bytes).digest('hex'), reason: 'test' };
     });
   writeFileSync(join(folder, 'site.json'), JSON.stringify({
-    schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
-    license: 'Apache-2.0', authors: [], nodes: described, ui, files,
+    schema: 1,
+    protocol: 1,
+    generator: 'test',
+    name: 'test',
+    title: 'A test',
+    version: '1',
+    distro: 'jazzy',
+    license: 'Apache-2.0',
+    authors: [],
+    nodes: described,
+    ui,
+    files,
     ...(more['interfaces.json'] === undefined ? {} : { interfaces: 'interfaces.json' }),
     ...(python?.sources === undefined ? {} : { sources: { archive: 'python/packages.zip', files: python.sources } }),
   }));

@@ -4,8 +4,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 
-export const CLI: string =
-  process.env['ROS2WASM_CLI'] ?? new URL('../../../build/ros2wasm', import.meta.url).pathname;
+export const CLI: string = process.env['ROS2WASM_CLI'] ?? new URL('../../../build/ros2wasm', import.meta.url).pathname;
 const WATCHDOG_MS = 240_000; // with --watch the start is a whole pack
 
 /** A folder that goes away with the test. */

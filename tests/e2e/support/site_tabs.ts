@@ -14,7 +14,10 @@ export function lacks(page: Page, text: string): Promise<unknown> {
 
 /** `use` opens tabs by what stands in the address behind the site's; they are closed at its end. */
 export async function withTabs(
-  browser: Browser, folder: string, link: 'shared' | 'port', use: (open: (query: string) => Promise<Page>, context: BrowserContext) => Promise<void>,
+  browser: Browser,
+  folder: string,
+  link: 'shared' | 'port',
+  use: (open: (query: string) => Promise<Page>, context: BrowserContext) => Promise<void>,
 ): Promise<void> {
   const host = await serveFolder(folder, { isolated: link === 'shared' });
   const context = await browser.newContext({ serviceWorkers: link === 'shared' ? 'allow' : 'block' });

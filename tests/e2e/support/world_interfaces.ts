@@ -2,7 +2,7 @@
 
 import type { TopicView } from '../../../runtime/site/contract/session.ts';
 
-const kMessages: Readonly<Record<string, string>> = {
+const MESSAGES: Readonly<Record<string, string>> = {
   'builtin_interfaces/Time': 'int32 sec\nuint32 nanosec',
   'builtin_interfaces/Duration': 'int32 sec\nuint32 nanosec',
   'std_msgs/Header': 'builtin_interfaces/Time stamp\nstring frame_id',
@@ -20,10 +20,8 @@ const kMessages: Readonly<Record<string, string>> = {
   'geometry_msgs/Twist': 'Vector3 linear\nVector3 angular',
   'geometry_msgs/TwistWithCovariance': 'Twist twist\nfloat64[36] covariance',
   'nav_msgs/Path': 'std_msgs/Header header\ngeometry_msgs/PoseStamped[] poses',
-  'nav_msgs/Odometry':
-    'std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\ngeometry_msgs/TwistWithCovariance twist',
-  'nav_msgs/MapMetaData':
-    'builtin_interfaces/Time map_load_time\nfloat32 resolution\nuint32 width\nuint32 height\ngeometry_msgs/Pose origin',
+  'nav_msgs/Odometry': 'std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\ngeometry_msgs/TwistWithCovariance twist',
+  'nav_msgs/MapMetaData': 'builtin_interfaces/Time map_load_time\nfloat32 resolution\nuint32 width\nuint32 height\ngeometry_msgs/Pose origin',
   'nav_msgs/OccupancyGrid': 'std_msgs/Header header\nMapMetaData info\nint8[] data',
   'sensor_msgs/LaserScan':
     'std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\nfloat32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities',
@@ -47,19 +45,19 @@ const kMessages: Readonly<Record<string, string>> = {
   'tf2_msgs/TFMessage': 'geometry_msgs/TransformStamped[] transforms',
 };
 
-export const kWorldInterfaces: readonly (readonly [string, string])[] = Object.entries(kMessages).map(
+export const WORLD_INTERFACES: readonly (readonly [string, string])[] = Object.entries(MESSAGES).map(
   ([name, text]) => [name.replace('/', '/msg/'), `${text}\n`] as const,
 );
 
-const kLatched: TopicView['qos'] = [
+const LATCHED: TopicView['qos'] = [
   { reliability: 'reliable', durability: 'transient_local', history: 'keep_last', depth: 1 },
 ];
 
-export const kWorldTopics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<TopicView>)[] = [
+export const WORLD_TOPICS: readonly (Pick<TopicView, 'name' | 'type'> & Partial<TopicView>)[] = [
   { name: '/tf', type: 'tf2_msgs/msg/TFMessage' },
-  { name: '/tf_static', type: 'tf2_msgs/msg/TFMessage', qos: kLatched },
-  { name: '/robot_description', type: 'std_msgs/msg/String', qos: kLatched },
-  { name: '/map', type: 'nav_msgs/msg/OccupancyGrid', qos: kLatched },
+  { name: '/tf_static', type: 'tf2_msgs/msg/TFMessage', qos: LATCHED },
+  { name: '/robot_description', type: 'std_msgs/msg/String', qos: LATCHED },
+  { name: '/map', type: 'nav_msgs/msg/OccupancyGrid', qos: LATCHED },
   { name: '/scan', type: 'sensor_msgs/msg/LaserScan' },
   { name: '/points', type: 'sensor_msgs/msg/PointCloud2' },
   { name: '/plan', type: 'nav_msgs/msg/Path' },
@@ -74,7 +72,23 @@ export const kWorldTopics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<
 ];
 
 /** Below share/meshes: tests answer for them. */
-export const kWorldFiles: readonly string[] = [
-  'wedge.stl', 'wedge.bin.stl', 'wedge.dae', 'wedge.obj', 'wedge.mtl', 'wedge.gltf', 'wedge.bin', 'green.png', 'skin.dae', 'cut.stl', 'loop.dae', 'far.obj',
-  'many.stl', 'wrong.gltf', 'words.dae', 'gone.stl', 'away.dae', 'view.rviz',
+export const WORLD_FILES: readonly string[] = [
+  'wedge.stl',
+  'wedge.bin.stl',
+  'wedge.dae',
+  'wedge.obj',
+  'wedge.mtl',
+  'wedge.gltf',
+  'wedge.bin',
+  'green.png',
+  'skin.dae',
+  'cut.stl',
+  'loop.dae',
+  'far.obj',
+  'many.stl',
+  'wrong.gltf',
+  'words.dae',
+  'gone.stl',
+  'away.dae',
+  'view.rviz',
 ].map((name) => `share/meshes/${name}`);

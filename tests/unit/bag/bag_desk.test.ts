@@ -52,7 +52,9 @@ test('bags that nodes wrote lie on the shelf, also those from before somebody lo
   write('/home/user/my_bag/metadata.yaml');
   const desk = new BagDesk(session);
   let changes = 0;
-  desk.onChange(() => { changes += 1; });
+  desk.onChange(() => {
+    changes += 1;
+  });
   write('/tmp/other/my_bag_0.mcap');
   assert.equal(changes, 1);
   assert.deepEqual(desk.shelf.map(({ name, origin }) => `${name} ${origin}`), ['my_bag_0.mcap written', 'my_bag_0_2.mcap written']);

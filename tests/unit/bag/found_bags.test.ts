@@ -57,8 +57,9 @@ function written({ chunks = false, messages: count = messages }: Written): Uint8
     records.push(record(0x05, number(1, 2), number(index, 4), time, time, new Uint8Array([0, 1, 0, 0]), counted(`message ${String(index)}\0`)));
   }
   const data = joined(...records);
-  const chunk = (): Uint8Array => record(0x06, number(begin, 8), number(begin + BigInt(count) * 100_000_000n, 8), number(data.length, 8),
-    number(crc32(data), 4), counted(''), number(data.length, 8), data);
+  const chunk = (): Uint8Array =>
+    record(0x06, number(begin, 8), number(begin + BigInt(count) * 100_000_000n, 8), number(data.length, 8), number(crc32(data), 4), counted(''),
+      number(data.length, 8), data);
   const magic = new Uint8Array([0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a]);
   return joined(magic, record(0x01, counted('ros2'), counted('by hand')), chunks ? chunk() : data, record(0x0f, number(0, 4)),
     record(0x02, number(0, 8), number(0, 8), number(0, 4)), magic);

@@ -18,7 +18,8 @@ import { FakeSession, stringBytes } from '../ui/fake_session.ts';
 import { MemorySink, sourceOf, until } from './bag_parts.ts';
 
 const watchdog = { timeout: 60_000 };
-const words = 'the quick brown fox jumps over the lazy dog, the quick brown fox jumps over the lazy dog. aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa';
+const words =
+  'the quick brown fox jumps over the lazy dog, the quick brown fox jumps over the lazy dog. aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa';
 
 interface Made {
   readonly messages?: number;
@@ -31,7 +32,13 @@ async function made({ messages = 100, compression = 'none', chunks = true, index
   const sink = new MemorySink();
   let written = 0;
   const writer = new McapWriter({
-    useChunks: chunks, useChunkIndex: index, useMessageIndex: index, useSummaryOffsets: index, repeatChannels: index, repeatSchemas: index, chunkSize: 1000,
+    useChunks: chunks,
+    useChunkIndex: index,
+    useMessageIndex: index,
+    useSummaryOffsets: index,
+    repeatChannels: index,
+    repeatSchemas: index,
+    chunkSize: 1000,
     ...(compression === 'none' ? {} : { compressChunk: (data) => ({ compression, compressedData: compression === 'zstd' ? zstdCompressSync(data) : data }) }),
     writable: {
       write: (bytes) => {
@@ -61,9 +68,13 @@ async function read(bag: Bag, from = 0n): Promise<BagMessage[]> {
 
 const refused = (code: string) => (error: unknown): boolean => error instanceof SiteError && error.code === code;
 
-for (const [title, form] of Object.entries({
-  'compressed with zstd': { compression: 'zstd' }, 'without an index': { index: false }, 'without chunks': { chunks: false },
-} satisfies Record<string, Made>)) {
+for (
+  const [title, form] of Object.entries({
+    'compressed with zstd': { compression: 'zstd' },
+    'without an index': { index: false },
+    'without chunks': { chunks: false },
+  } satisfies Record<string, Made>)
+) {
   test(`a bag ${title} is read whole`, watchdog, async () => {
     const bag = await openBag(sourceOf(await made(form)));
     assert.equal(bag.damage, undefined);
@@ -81,7 +92,10 @@ test('LZ4 is read, with blocks that reach back into others', watchdog, () => {
   const behind = linked.with(header.length + 4 + 5 + 4 + 1, 5);
   assert.throws(() => decompressHandlers.lz4(Uint8Array.from(behind), 11n), /outside/);
   // Made by lz4 1.9.4: lz4 -BD --content-size
-  const frame = Buffer.from('04224d186440a740000000f01074686520717569636b2062726f776e20666f78206a756d7073206f766572201f00916c617a7920646f672c0e000f2d00143f2e2061010037506161616161000000006dab4372', 'hex');
+  const frame = Buffer.from(
+    '04224d186440a740000000f01074686520717569636b2062726f776e20666f78206a756d7073206f766572201f00916c617a7920646f672c0e000f2d00143f2e2061010037506161616161000000006dab4372',
+    'hex',
+  );
   assert.equal(Buffer.from(decompressHandlers.lz4(frame, BigInt(words.length))).toString(), words);
   assert.throws(() => decompressHandlers.lz4(frame, BigInt(words.length - 1)));
   assert.throws(() => decompressHandlers.lz4(frame, BigInt(words.length + 1)), /said/);
@@ -137,10 +151,13 @@ test('lengths that lie ask for no memory', watchdog, async () => {
     new DataView(bytes.buffer).setBigUint64(at, 2n ** 50n, true);
     let most = 0;
     const source = sourceOf(bytes);
-    const counted = { ...source, read: (from: number, length: number) => {
-      most = Math.max(most, length);
-      return source.read(from, length);
-    } };
+    const counted = {
+      ...source,
+      read: (from: number, length: number) => {
+        most = Math.max(most, length);
+        return source.read(from, length);
+      },
+    };
     await openBag(counted).catch((error: unknown) => assert.ok(refused('R2W0740')(error)));
     assert.ok(most <= 1 << 20);
   }
@@ -177,11 +194,14 @@ test('a player ends with the code when the bag is damaged on its way', watchdog,
   const good = await openBag(sourceOf(bytes));
   const source = sourceOf(bytes);
   let spoilt = false;
-  const bag = await openBag({ ...source, read: async (from, length) => {
-    const piece = await source.read(from, length);
-    if (spoilt) piece.fill(0xff);
-    return piece;
-  } });
+  const bag = await openBag({
+    ...source,
+    read: async (from, length) => {
+      const piece = await source.read(from, length);
+      if (spoilt) piece.fill(0xff);
+      return piece;
+    },
+  });
   assert.equal(bag.messages, good.messages);
   spoilt = true;
   const session = new FakeSession({ nodes: [] });
@@ -195,20 +215,32 @@ test('a player ends with the code when the bag is damaged on its way', watchdog,
 });
 
 test('QoS is read as Jazzy and as Humble write it, and from nothing', () => {
-  const old = '- history: 1\n  depth: 5\n  reliability: 2\n  durability: 1\n  deadline:\n    sec: 2147483647\n    nsec: 4294967295\n  lifespan:\n    sec: 1\n    nsec: 5\n  liveliness: 3\n  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n  avoid_ros_namespace_conventions: false';
+  const old =
+    '- history: 1\n  depth: 5\n  reliability: 2\n  durability: 1\n  deadline:\n    sec: 2147483647\n    nsec: 4294967295\n  lifespan:\n    sec: 1\n    nsec: 5\n  liveliness: 3\n  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n  avoid_ros_namespace_conventions: false';
   assert.deepEqual(readProfiles(`${old}\n- history: keep_all\n  depth: 0`), [
-    { history: 'keep_last', depth: 5, reliability: 'best_effort', durability: 'transient_local', liveliness: 'manual_by_topic', deadlineNs: 0, lifespanNs: 1_000_000_005, leaseNs: 0 },
+    {
+      history: 'keep_last',
+      depth: 5,
+      reliability: 'best_effort',
+      durability: 'transient_local',
+      liveliness: 'manual_by_topic',
+      deadlineNs: 0,
+      lifespanNs: 1_000_000_005,
+      leaseNs: 0,
+    },
     { history: 'keep_all', deadlineNs: 0, lifespanNs: 0, leaseNs: 0 },
   ]);
   assert.deepEqual(readProfiles('{{{{'), []);
   assert.deepEqual(readProfiles('x'.repeat(1 << 20)), []);
   assert.equal(offerFor(readProfiles(old)).reliability, 'best_effort');
   assert.deepEqual(offerFor([{ reliability: 'reliable' }, { reliability: 'best_effort' }]), {});
-  assert.equal(requestFor([{ reliability: 'reliable', durability: 'transient_local' }, { reliability: 'reliable', durability: 'volatile' }]).durability, 'volatile');
+  assert.equal(requestFor([{ reliability: 'reliable', durability: 'transient_local' }, { reliability: 'reliable', durability: 'volatile' }]).durability,
+    'volatile');
 });
 
 test('a schema comes apart into types, and odd ones do no harm', () => {
-  const schema = 'a/B b\n================================================================================\nMSG: a/B\nint32 x\n=====\nMSG: ../evil\nint8 y\n=====\nMSG: a/srv/C_Request\n';
+  const schema =
+    'a/B b\n================================================================================\nMSG: a/B\nint32 x\n=====\nMSG: ../evil\nint8 y\n=====\nMSG: a/srv/C_Request\n';
   assert.deepEqual([...splitSchema('demo/msg/A', schema)], [['demo/msg/A', 'a/B b\n'], ['a/msg/B', 'int32 x\n'], ['a/srv/C_Request', '']]);
   assert.equal(splitSchema('x', '='.repeat(100_000)).size, 1);
 });

@@ -42,13 +42,13 @@ async function all<T>(items: AsyncIterable<T>): Promise<T[]> {
   return found;
 }
 
-async function record(session: FakeSession, options: Partial<RecordOptions> = {}): Promise<{ recorder: Recorder; sink: MemorySink }> {
+async function record(session: FakeSession, options: Partial<RecordOptions> = {}): Promise<{ recorder: Recorder; sink: MemorySink; }> {
   const sink = new MemorySink();
   return { sink, recorder: await Recorder.begin(session, sink, { wants: recordsAll(false), ...options }) };
 }
 
 /** A bag with a latched topic, one of many messages, and one that came later. */
-async function recorded(): Promise<{ bytes: Uint8Array; before: number; after: number }> {
+async function recorded(): Promise<{ bytes: Uint8Array; before: number; after: number; }> {
   const session = newSession();
   const before = session.time.view().now;
   const node = session.node();
@@ -87,7 +87,8 @@ test('a recording is read back by @mcap/core and decoded by @foxglove', watchdog
   assert.deepEqual([schema.name, schema.encoding], ['std_msgs/msg/String', 'ros2msg']);
   const decode = new MessageReader(parse(new TextDecoder().decode(schema.data), { ros2: true }));
   const messages = await all(reader.readMessages({ topics: ['/chatter'] }));
-  assert.deepEqual(messages.map(({ data }) => (decode.readMessage(data) as { data: string }).data), Array.from({ length: 200 }, (_, i) => `Hello World: ${i}`));
+  assert.deepEqual(messages.map(({ data }) => (decode.readMessage(data) as { data: string; }).data),
+    Array.from({ length: 200 }, (_, i) => `Hello World: ${i}`));
   assert.deepEqual(messages.map(({ sequence }) => sequence), Array.from({ length: 200 }, (_, i) => i + 1));
   for (const { logTime, publishTime } of messages) {
     assert.ok(publishTime <= logTime && Number(publishTime) >= (before - 1) * 1e6 && Number(logTime) <= (after + 1) * 1e6);
@@ -116,9 +117,10 @@ test('a schema has the types inside it as rosbag2 writes them', watchdog, async 
   const schemas = new Map([...reader.schemasById.values()].map((one) => [one.name, one]));
   const line = '='.repeat(80);
   const text = new TextDecoder().decode(schemas.get('demo/msg/Reading')!.data);
-  assert.equal(text, `std_msgs/Header header\nfloat64[2] values # both\n${line}\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n${line}\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec`);
+  assert.equal(text,
+    `std_msgs/Header header\nfloat64[2] values # both\n${line}\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n${line}\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec`);
   const [message] = await all(reader.readMessages());
-  const decoded = new MessageReader(parse(text, { ros2: true })).readMessage(message!.data) as { header: { stamp: { sec: number } }; values: Float64Array };
+  const decoded = new MessageReader(parse(text, { ros2: true })).readMessage(message!.data) as { header: { stamp: { sec: number; }; }; values: Float64Array; };
   assert.equal(decoded.header.stamp.sec, 5);
   assert.deepEqual([...decoded.values], [1.5, 0]);
   // Nobody knows that one: it is recorded without a definition.
@@ -129,9 +131,12 @@ test('a recording ends at its limit, and is whole until there', watchdog, async 
   const session = newSession();
   const publisher = session.node().publisher('/chatter', 'std_msgs/msg/String', { depth: 100 });
   let ended: SiteError | undefined;
-  const { recorder, sink } = await record(session, { mostBytes: 100_000, onEnd: (problem) => {
-    ended = problem;
-  } });
+  const { recorder, sink } = await record(session, {
+    mostBytes: 100_000,
+    onEnd: (problem) => {
+      ended = problem;
+    },
+  });
   await until(() => publisher.matched() === 1);
   while (ended === undefined) {
     publisher.publish(stringBytes('x'.repeat(1000)));
@@ -152,8 +157,8 @@ interface Heard {
 
 function listen(session: FakeSession, topic: string, latched = false): Heard[] {
   const heard: Heard[] = [];
-  session.node().subscription(topic, 'std_msgs/msg/String', { durability: latched ? 'transient_local' : 'volatile', reliability: 'best_effort', depth: 1000 }, (bytes) =>
-    heard.push({ topic, text: new TextDecoder().decode(bytes.subarray(8, -1)) }));
+  session.node().subscription(topic, 'std_msgs/msg/String', { durability: latched ? 'transient_local' : 'volatile', reliability: 'best_effort', depth: 1000 },
+    (bytes) => heard.push({ topic, text: new TextDecoder().decode(bytes.subarray(8, -1)) }));
   return heard;
 }
 
@@ -168,7 +173,10 @@ describe('playing', () => {
     assert.equal(bag.distro, 'jazzy');
     assert.equal(bag.messages, 202);
     assert.deepEqual(bag.channels.map(({ topic, type, count }) => [topic, type, count]), [
-      ['/chatter', 'std_msgs/msg/String', 200], ['/late', 'std_msgs/msg/String', 1], ['/map', 'std_msgs/msg/String', 1]]);
+      ['/chatter', 'std_msgs/msg/String', 200],
+      ['/late', 'std_msgs/msg/String', 1],
+      ['/map', 'std_msgs/msg/String', 1],
+    ]);
     assert.equal(bag.channels[2]!.offered[0]!.durability, 'transient_local');
     assert.equal(bag.definitions.get('std_msgs/msg/String'), '# A text.\nstring data');
   });
@@ -272,7 +280,13 @@ test('a topic that the page cannot subscribe to is tried once, and is not in the
   assert.ok(admission?.ticket.kind === 'port');
   const other = new PortLink(admission.ticket);
   other.endpointCreate({
-    kind: EndpointKind.publisher, node: other.nodeCreate('odd', '/'), name: '/odd', type: 'no type', hash: '', flags: 0, qos: defaultQos,
+    kind: EndpointKind.publisher,
+    node: other.nodeCreate('odd', '/'),
+    name: '/odd',
+    type: 'no type',
+    hash: '',
+    flags: 0,
+    qos: defaultQos,
   });
   session.node().publisher('/right', 'std_msgs/msg/String');
   await until(() => session.graph().nodes.some(({ name }) => name === '/odd'));

@@ -5,8 +5,13 @@ import { once } from 'node:events';
 import { test } from 'node:test';
 import { OthersLoad, othersShare, ticksNow, type Ticks } from '../../bench/machine_load.ts';
 
-const ticks = (all: number, stolen: number, others: [number, number][], orphans: number[] = []): Ticks =>
-  ({ all, stolen, others: new Map(others), orphans: new Set(orphans), ours: new Set([9]) });
+const ticks = (all: number, stolen: number, others: [number, number][], orphans: number[] = []): Ticks => ({
+  all,
+  stolen,
+  others: new Map(others),
+  orphans: new Set(orphans),
+  ours: new Set([9]),
+});
 
 test('others have what their processes used, and what was taken from the machine', () => {
   const before = ticks(1000, 10, [[1, 50], [5, 100]]);

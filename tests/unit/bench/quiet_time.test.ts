@@ -3,8 +3,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { interactive } from '../../bench/quiet_time.ts';
 
-const load = (...tasks: readonly (readonly [start: number, end: number])[]) =>
-  ({ firstPaint: 100, largestPaint: 200, tasks: tasks.map(([start, end]) => ({ start, end })) });
+const load = (...tasks: readonly (readonly [start: number, end: number])[]) => ({
+  firstPaint: 100,
+  largestPaint: 200,
+  tasks: tasks.map(([start, end]) => ({ start, end })),
+});
 
 test('a page is interactive after the last long task before 500 ms without one', () => {
   assert.deepEqual(interactive(load()), { at: 100, blocked: 0 });

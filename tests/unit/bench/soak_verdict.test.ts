@@ -9,9 +9,11 @@ const streams = [{ soak: '/small', due: 1000 }, { soak: '/large', due: 20 }];
 /** Sixty samples of a site that goes on as it should, but for `except`. */
 function soak(except: (stream: StreamSample, minute: number) => StreamSample = (stream) => stream): SoakSample[] {
   return Array.from({ length: 60 }, (_, minute) => ({
-    minute, heap_kb: 1000, processes_kb: 9000, bus_used_kb: 100,
-    streams: streams.map(({ soak: name, due }) =>
-      except({ soak: name, published: due, sent: due, came: due, p50_us: 100, p99_us: 300 }, minute)),
+    minute,
+    heap_kb: 1000,
+    processes_kb: 9000,
+    bus_used_kb: 100,
+    streams: streams.map(({ soak: name, due }) => except({ soak: name, published: due, sent: due, came: due, p50_us: 100, p99_us: 300 }, minute)),
   }));
 }
 
@@ -29,7 +31,9 @@ test('a stream of which nothing comes any more is not flat', () => {
 
 test('a stream that falls short of its rate in one sample, at either end, is not flat', () => {
   for (const short of ['published', 'came'] as const) {
-    const slow = soak((stream, minute) => stream.soak === '/small' && minute === 50 ? { ...stream, [short]: 700, ...(short === 'came' ? { sent: 700 } : {}) } : stream);
+    const slow = soak((stream, minute) =>
+      stream.soak === '/small' && minute === 50 ? { ...stream, [short]: 700, ...(short === 'came' ? { sent: 700 } : {}) } : stream
+    );
     assert.equal(judge(slow, streams).flat, false, short);
   }
 });

@@ -35,7 +35,8 @@ function told(code: string): unknown {
 test('the library has the same bytes every time, and no path of where it was made', () => {
   const again = join(folder, 'again.zip');
   execFileSync(process.execPath, [join(root, 'runtime/packages/vendor/pyodide/make_stdlib.mjs'), join(root, 'node_modules/pyodide'), again], {
-    cwd: folder, env: { ...process.env, TZ: 'Asia/Tokyo', LC_ALL: 'de_DE.UTF-8', PYTHONHASHSEED: '7' },
+    cwd: folder,
+    env: { ...process.env, TZ: 'Asia/Tokyo', LC_ALL: 'de_DE.UTF-8', PYTHONHASHSEED: '7' },
   });
   const bytes = readFileSync(library);
   assert.ok(bytes.equals(readFileSync(again)));

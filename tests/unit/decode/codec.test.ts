@@ -15,10 +15,32 @@ const interfaces = new Map([
   ['unique_identifier_msgs/msg/UUID', 'uint8[16] uuid\n'],
   ['geometry_msgs/msg/Point', 'float64 x\nfloat64 y\nfloat64 z\n'],
   ['demo/msg/All', [
-    'int8 LOW=-3', 'std_msgs/Header header', 'bool on true', 'byte raw', 'char letter', 'int8 a', 'uint8 b 7', 'int16 c', 'uint16 d',
-    'int32 e -5', 'uint32 f', 'int64 g', 'uint64 h 18446744073709551615', 'float32 i', 'float64 j 2.5', 'string k "hé"', 'string<=3 l',
-    'int32[] m', 'float64[3] n [1.0, 2.0, 3.0]', 'uint8[<=2] o', 'string[] p', 'geometry_msgs/Point[] q', 'geometry_msgs/Point[2] r',
-    'builtin_interfaces/Duration s', 'bool[2] t', 'std_msgs/Empty u',
+    'int8 LOW=-3',
+    'std_msgs/Header header',
+    'bool on true',
+    'byte raw',
+    'char letter',
+    'int8 a',
+    'uint8 b 7',
+    'int16 c',
+    'uint16 d',
+    'int32 e -5',
+    'uint32 f',
+    'int64 g',
+    'uint64 h 18446744073709551615',
+    'float32 i',
+    'float64 j 2.5',
+    'string k "hé"',
+    'string<=3 l',
+    'int32[] m',
+    'float64[3] n [1.0, 2.0, 3.0]',
+    'uint8[<=2] o',
+    'string[] p',
+    'geometry_msgs/Point[] q',
+    'geometry_msgs/Point[2] r',
+    'builtin_interfaces/Duration s',
+    'bool[2] t',
+    'std_msgs/Empty u',
   ].join('\n')],
   ['builtin_interfaces/msg/Duration', 'int32 sec\nuint32 nanosec\n'],
   ['demo/msg/Wide', 'wstring data\n'],
@@ -42,9 +64,30 @@ function valueOf(type: string, bytes: Uint8Array): unknown {
 
 const full = {
   header: { stamp: { sec: -1, nanosec: 999_999_999 }, frame_id: 'map' },
-  on: false, raw: 255, letter: 65, a: -128, b: 255, c: -32768, d: 65535, e: -(2 ** 31), f: 2 ** 32 - 1, g: -(2n ** 63n), h: 2n ** 64n - 1n,
-  i: 1.5, j: -0.1, k: 'text', l: 'abc', m: [1, -2, 3], n: [0.5, -0.5, 1e300], o: [1, 2], p: ['a', '', 'ccc'],
-  q: [{ x: 1, y: 2, z: 3 }], r: [{ x: 4, y: 5, z: 6 }, { x: 7, y: 8, z: 9 }], s: { sec: 3, nanosec: 4 }, t: [true, false], u: {},
+  on: false,
+  raw: 255,
+  letter: 65,
+  a: -128,
+  b: 255,
+  c: -32768,
+  d: 65535,
+  e: -(2 ** 31),
+  f: 2 ** 32 - 1,
+  g: -(2n ** 63n),
+  h: 2n ** 64n - 1n,
+  i: 1.5,
+  j: -0.1,
+  k: 'text',
+  l: 'abc',
+  m: [1, -2, 3],
+  n: [0.5, -0.5, 1e300],
+  o: [1, 2],
+  p: ['a', '', 'ccc'],
+  q: [{ x: 1, y: 2, z: 3 }],
+  r: [{ x: 4, y: 5, z: 6 }, { x: 7, y: 8, z: 9 }],
+  s: { sec: 3, nanosec: 4 },
+  t: [true, false],
+  u: {},
 };
 
 test('bytes are those of an independent writer', () => {
@@ -73,9 +116,30 @@ test('a draft has the defaults of the definition, and is what is sent for what i
   const { value } = drafted;
   assert.deepEqual(value, {
     header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' },
-    on: true, raw: 0, letter: 0, a: 0, b: 7, c: 0, d: 0, e: -5, f: 0, g: 0n, h: 18446744073709551615n, i: 0, j: 2.5, k: 'hé', l: '',
-    m: [], n: [1, 2, 3], o: [], p: [], q: [], r: [{ x: 0, y: 0, z: 0 }, { x: 0, y: 0, z: 0 }], s: { sec: 0, nanosec: 0 },
-    t: [false, false], u: {},
+    on: true,
+    raw: 0,
+    letter: 0,
+    a: 0,
+    b: 7,
+    c: 0,
+    d: 0,
+    e: -5,
+    f: 0,
+    g: 0n,
+    h: 18446744073709551615n,
+    i: 0,
+    j: 2.5,
+    k: 'hé',
+    l: '',
+    m: [],
+    n: [1, 2, 3],
+    o: [],
+    p: [],
+    q: [],
+    r: [{ x: 0, y: 0, z: 0 }, { x: 0, y: 0, z: 0 }],
+    s: { sec: 0, nanosec: 0 },
+    t: [false, false],
+    u: {},
   });
   assert.deepEqual(bytesOf('demo/msg/All', {}), bytesOf('demo/msg/All', value));
   assert.deepEqual(codec.draft('demo/msg/Odd'), { kind: 'value', value: { constructor: 0, a: 0 } });
@@ -85,13 +149,16 @@ test('a draft has the defaults of the definition, and is what is sent for what i
 test('the parts of an action, as they are on the wire', () => {
   const id = { uuid: Uint8Array.from({ length: 16 }, (_, i) => i) };
   const type = 'demo/action/Count';
-  assert.deepEqual(bytesOf(`${type}_SendGoal_Request`, { goal_id: id, goal: { order: 5 } }),
-    Uint8Array.of(0, 1, 0, 0, ...id.uuid, 5, 0, 0, 0));
-  assert.deepEqual(valueOf(`${type}_SendGoal_Response`, Uint8Array.of(0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0)),
-    { accepted: true, stamp: { sec: 2, nanosec: 3 } });
+  assert.deepEqual(bytesOf(`${type}_SendGoal_Request`, { goal_id: id, goal: { order: 5 } }), Uint8Array.of(0, 1, 0, 0, ...id.uuid, 5, 0, 0, 0));
+  assert.deepEqual(valueOf(`${type}_SendGoal_Response`, Uint8Array.of(0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0)), {
+    accepted: true,
+    stamp: { sec: 2, nanosec: 3 },
+  });
   assert.deepEqual(bytesOf(`${type}_GetResult_Request`, { goal_id: id }), Uint8Array.of(0, 1, 0, 0, ...id.uuid));
-  assert.deepEqual(valueOf(`${type}_GetResult_Response`, Uint8Array.of(0, 1, 0, 0, 4, 0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 0)),
-    { status: 4, result: { sequence: Int32Array.of(9) } });
+  assert.deepEqual(valueOf(`${type}_GetResult_Response`, Uint8Array.of(0, 1, 0, 0, 4, 0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 0)), {
+    status: 4,
+    result: { sequence: Int32Array.of(9) },
+  });
 });
 
 test('what does not fit says where and why, and throws nothing', () => {

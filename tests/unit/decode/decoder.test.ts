@@ -65,8 +65,8 @@ test('nested types of equal name in two packages, constants, defaults and bounds
   );
   assert.equal(
     yamlOf(decoded),
-    'header:\n  stamp:\n    sec: 1\n    nanosec: 2\n  frame_id: map\npoints:\n- x: 1.0\n  y: 2.0\n  z: 3.0\n' +
-      'own:\n  label: mine\ngain: 1.0\ntail:\n- 9\n',
+    'header:\n  stamp:\n    sec: 1\n    nanosec: 2\n  frame_id: map\npoints:\n- x: 1.0\n  y: 2.0\n  z: 3.0\n'
+      + 'own:\n  label: mine\ngain: 1.0\ntail:\n- 9\n',
   );
 });
 

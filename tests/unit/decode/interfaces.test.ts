@@ -5,8 +5,8 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { createDecoder } from '../../../runtime/site/decode/decoder.ts';
 
-const kRoot = fileURLToPath(new URL('../../../runtime/packages/interfaces', import.meta.url));
-const kParts: Readonly<Record<string, readonly string[]>> = {
+const ROOT = fileURLToPath(new URL('../../../runtime/packages/interfaces', import.meta.url));
+const PARTS: Readonly<Record<string, readonly string[]>> = {
   msg: [''],
   srv: ['_Request', '_Response'],
   action: ['_Goal', '_Result', '_Feedback', '_FeedbackMessage'],
@@ -14,9 +14,9 @@ const kParts: Readonly<Record<string, readonly string[]>> = {
 
 function shippedInterfaces(): Map<string, string> {
   const found = new Map<string, string>();
-  for (const name of readdirSync(kRoot)) {
-    for (const kind of Object.keys(kParts)) {
-      const folder = `${kRoot}/${name}/${kind}`;
+  for (const name of readdirSync(ROOT)) {
+    for (const kind of Object.keys(PARTS)) {
+      const folder = `${ROOT}/${name}/${kind}`;
       for (const file of existsSync(folder) ? readdirSync(folder) : []) {
         found.set(
           `${name}/${kind}/${file.replace(/\.\w+$/, '')}`,
@@ -36,7 +36,7 @@ test('all shipped definitions are understood', () => {
   zeros[1] = 1;
   let count = 0;
   for (const type of interfaces.keys()) {
-    for (const part of kParts[type.split('/')[1] ?? ''] ?? []) {
+    for (const part of PARTS[type.split('/')[1] ?? ''] ?? []) {
       const decoded = decoder.decode(type + part, zeros);
       if (/^(example_interfaces\/msg\/WString|test_msgs\/msg\/WStrings)$/.test(type)) {
         assert.match(decoded.kind === 'failed' ? decoded.reason : '', /wstring/);

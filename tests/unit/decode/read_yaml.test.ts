@@ -31,7 +31,13 @@ test('flow and block style', () => {
 
 test('values become what their fields want', () => {
   assert.deepEqual(read('demo/msg/Mix', '{text: 5, count: 2.9, big: 18446744073709551615, lit: yes, real: 1e3, reals: [1, .5, .inf], points: [{x: 1}]}'), {
-    text: '5', count: 2n, big: 18446744073709551615n, lit: true, real: 1000, reals: [1, 0.5, Infinity], points: [{ x: 1 }],
+    text: '5',
+    count: 2n,
+    big: 18446744073709551615n,
+    lit: true,
+    real: 1000,
+    reals: [1, 0.5, Infinity],
+    points: [{ x: 1 }],
   });
   assert.deepEqual(read('demo/msg/Mix', '{text: true, lit: 0, count: "7"}'), { text: 'True', lit: false, count: 7n });
   assert.deepEqual(read('demo/msg/Mix', '{text: "yes", real: 3}'), { text: 'yes', real: 3 });
@@ -54,8 +60,8 @@ test('what is wrong is told, whatever the text', () => {
   assert.match(failed('{linear: {x: 1'), /\w/);
   assert.match(failed('[1, 2]'), /fields with their values/);
   assert.match(failed('5'), /fields with their values/);
-  const bomb = ['a: &a [x, x, x, x, x, x, x, x, x]', ...'bcdefghi'.split('').map((name, i) =>
-    `${name}: &${name} [${Array.from({ length: 9 }, () => `*${'abcdefghi'[i]}`).join(', ')}]`)].join('\n');
+  const bomb = ['a: &a [x, x, x, x, x, x, x, x, x]',
+    ...'bcdefghi'.split('').map((name, i) => `${name}: &${name} [${Array.from({ length: 9 }, () => `*${'abcdefghi'[i]}`).join(', ')}]`)].join('\n');
   assert.equal(readYaml(bomb).kind, 'failed');
   const deep = readYaml('['.repeat(20_000));
   assert.equal(deep.kind, 'failed');

@@ -57,9 +57,9 @@ test('messages nest as ros2 topic echo prints them', () => {
   const yaml = toYaml(value, stamped, 2);
   assert.equal(
     yaml,
-    'header:\n  stamp:\n    sec: 3\n    nanosec: 5\n  frame_id: ba...\nranges:\n- 1.0\n- 0.5\n' +
-      'points:\n- x: 1.0\n  y: -2.0\n- x: 0.25\n  y: 3.0\nnames: []\nok: true\nbig: 18446744073709551615\nnothing: {}\n' +
-      "many:\n- 0\n- 0\n- '...'\n",
+    'header:\n  stamp:\n    sec: 3\n    nanosec: 5\n  frame_id: ba...\nranges:\n- 1.0\n- 0.5\n'
+      + 'points:\n- x: 1.0\n  y: -2.0\n- x: 0.25\n  y: 3.0\nnames: []\nok: true\nbig: 18446744073709551615\nnothing: {}\n'
+      + "many:\n- 0\n- 0\n- '...'\n",
   );
   assert.equal(toYaml({}, []), '{}\n');
 });

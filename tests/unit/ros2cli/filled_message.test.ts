@@ -13,10 +13,13 @@ const codec = createCodec(new Map([
 test('single precision is printed as it was typed, and sent as it is', async () => {
   const { value, bytes } = await fillMessage(codec, 'pkg/msg/Path', '{width: 0.2, spots: [{x: 0.1, y: 0.1, n: 3}], ends: [0.5, 0.7]}');
   assert.deepEqual(value, {
-    width: 0.2, spots: [{ x: 0.1, y: 0.1, n: 3 }], ends: Float32Array.of(0.5, 0.7), name: '',
+    width: 0.2,
+    spots: [{ x: 0.1, y: 0.1, n: 3 }],
+    ends: Float32Array.of(0.5, 0.7),
+    name: '',
   });
   const sent = codec.decode('pkg/msg/Path', bytes);
-  assert.equal(sent.kind === 'value' ? (sent.value as { width: number }).width : 0, Math.fround(0.2));
+  assert.equal(sent.kind === 'value' ? (sent.value as { width: number; }).width : 0, Math.fround(0.2));
 });
 
 test('what was not typed is the default', async () => {

@@ -30,8 +30,7 @@ test('lines are wanted in order, others anywhere, some never', () => {
   assert.deepEqual(judge(ordered, seen({ lines: ['a', 'x', 'b'] })), { final: true, missing: [] });
   assert.deepEqual(judge(ordered, seen({ lines: ['ab'] })).missing, ['no line fits b']);
   assert.deepEqual(judge(expectation('anywhere: [a, b]'), seen({ lines: ['b', 'a'] })).missing, []);
-  assert.deepEqual(judge(expectation('log: [a], never: [bad]'), seen({ lines: ['a', 'too bad'] })),
-    { final: true, missing: ['it must not say: too bad'] });
+  assert.deepEqual(judge(expectation('log: [a], never: [bad]'), seen({ lines: ['a', 'too bad'] })), { final: true, missing: ['it must not say: too bad'] });
 });
 
 test('endpoints, values and what stands beside count', () => {
@@ -53,7 +52,9 @@ test('an end is judged: by the code that is wanted, else a clean one', () => {
 });
 
 test('an expectation that says nothing, or what is not known, is refused', () => {
-  for (const text of ['seconds: 3', 'never: [x]', 'logs: [x]', 'log: x', 'log: ["("]', 'log: [x], exit: zero', 'beside: [{package: q, executable: f, seconds: 3}]']) {
+  for (
+    const text of ['seconds: 3', 'never: [x]', 'logs: [x]', 'log: x', 'log: ["("]', 'log: [x], exit: zero', 'beside: [{package: q, executable: f, seconds: 3}]']
+  ) {
     assert.throws(() => expectation(text), BadExpectation, text);
   }
   assert.throws(() => parseExpectations('a: b', 'x.yaml'), BadExpectation);
@@ -70,7 +71,18 @@ test('of a launch file, arguments and what all nodes together show are stated', 
 });
 
 test('a row without expectation is not green', () => {
-  const row: Row = { package: 'p', executable: 'e', language: 'cpp', kind: 'executable', built: true, started: true, endpoints: [], log_lines: [], expected: true, error: null };
+  const row: Row = {
+    package: 'p',
+    executable: 'e',
+    language: 'cpp',
+    kind: 'executable',
+    built: true,
+    started: true,
+    endpoints: [],
+    log_lines: [],
+    expected: true,
+    error: null,
+  };
   assert.equal(isGreen(row), true);
   for (const worse of [{ expected: null }, { expected: false }, { started: false }, { built: false }, { error: { code: 'unmet', reason: 'x' } }]) {
     assert.equal(isGreen({ ...row, ...worse }), false);
@@ -81,12 +93,16 @@ test('a row without expectation is not green', () => {
 });
 
 test('endpoints that every node brings are skipped', () => {
-  assert.deepEqual(ownEndpoints(['server /n/get_parameters rcl_interfaces/srv/GetParameters', 'subscription /rosout T', 'publisher /rosout T',
-    'publisher /a T', 'client /n/x T']), ['client /n/x T', 'publisher /a T', 'subscription /rosout T']);
+  assert.deepEqual(
+    ownEndpoints(['server /n/get_parameters rcl_interfaces/srv/GetParameters', 'subscription /rosout T', 'publisher /rosout T', 'publisher /a T',
+      'client /n/x T']),
+    ['client /n/x T', 'publisher /a T', 'subscription /rosout T'],
+  );
 });
 
 test('what a package.xml needs, and what that needs', () => {
-  const one = readPackage('/p', '<package><name>p</name><!-- <depend>old</depend> --><depend condition="$A == 1">q</depend><test_depend>t</test_depend><exec_depend>r</exec_depend></package>');
+  const one = readPackage('/p',
+    '<package><name>p</name><!-- <depend>old</depend> --><depend condition="$A == 1">q</depend><test_depend>t</test_depend><exec_depend>r</exec_depend></package>');
   const two = readPackage('/q', '<package><name>q</name><build_depend>p</build_depend><export><build_type>ament_python</build_type></export></package>');
   assert.ok(one !== undefined && two !== undefined);
   assert.deepEqual(one, { name: 'p', folder: '/p', language: 'cpp', needs: ['q', 'r'] });
@@ -103,28 +119,42 @@ test('what only sources know of other packages is needed too', (t) => {
   }
   writeFileSync(join(folder, 'arm/node.py'), 'from arm_tools.joints import Joint\n');
   writeFileSync(join(folder, 'arm_bringup/arm_launch.xml'), '<launch><node pkg="arm" exec="node"/></launch>');
-  assert.deepEqual([...findPackages([folder]).values()].map(({ name, needs }) => [name, needs]), [['arm', ['arm_tools']], ['arm_bringup', ['arm']], ['arm_tools', []]]);
+  assert.deepEqual([...findPackages([folder]).values()].map(({ name, needs }) => [name, needs]), [['arm', ['arm_tools']], ['arm_bringup', ['arm']], [
+    'arm_tools',
+    [],
+  ]]);
 });
 
 test('values are found by path; the first error is told', () => {
   assert.equal(valueAt({ a: { b: [1, 2.5] } }, 'a.b.1'), '2.5');
   assert.equal(valueAt({ a: 1 }, 'a.b'), undefined);
-  assert.deepEqual(firstError('{"event":"progress"}\n{"code":"R2W0514","severity":"warning","message":"w"}\n{"code":"R2W0502","severity":"error","message":"m","detail":"x\\nan error: y\\n"}'),
-    { code: 'R2W0502', reason: 'm: an error: y' });
+  assert.deepEqual(
+    firstError(
+      '{"event":"progress"}\n{"code":"R2W0514","severity":"warning","message":"w"}\n{"code":"R2W0502","severity":"error","message":"m","detail":"x\\nan error: y\\n"}',
+    ),
+    { code: 'R2W0502', reason: 'm: an error: y' },
+  );
   assert.equal(firstError('killed'), undefined);
 });
 
-test('a package that is skipped has the first reason of all, with its place; CMake\'s last line is none', () => {
-  const event = (code: string, severity: string, message: string, more: object): string => JSON.stringify({ event: 'diagnostic', code, severity, message, ...more });
+test("a package that is skipped has the first reason of all, with its place; CMake's last line is none", () => {
+  const event = (code: string, severity: string, message: string, more: object): string =>
+    JSON.stringify({ event: 'diagnostic', code, severity, message, ...more });
   const messages = [
     event('R2W0519', 'warning', 'package `sim` is skipped: no channel has `gazebo`', { span: { file: 'src/sim/package.xml', line: 8 }, why: ['advice'] }),
-    event('R2W0514', 'warning', 'package `lab` is skipped: it needs `sim`', { span: null, why: ['`sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)'] }),
+    event('R2W0514', 'warning', 'package `lab` is skipped: it needs `sim`', {
+      span: null,
+      why: ['`sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)'],
+    }),
   ].join('\n');
   assert.deepEqual(whyLeftOut(messages, 'sim'), { code: 'R2W0519', reason: 'package `sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)' });
-  assert.deepEqual(whyLeftOut(messages, 'lab'),
-    { code: 'R2W0514', reason: 'package `lab` is skipped: it needs `sim`: `sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)' });
+  assert.deepEqual(whyLeftOut(messages, 'lab'), {
+    code: 'R2W0514',
+    reason: 'package `lab` is skipped: it needs `sim`: `sim` is skipped: no channel has `gazebo` (src/sim/package.xml:8)',
+  });
   assert.deepEqual(whyLeftOut('', 'lab'), { code: 'R2W0514', reason: 'the package is skipped' });
   assert.deepEqual(firstError(event('R2W0503', 'error', 'CMakeLists.txt of package `x` failed: no zmq', {
-    span: { file: 'src/x/CMakeLists.txt', line: 4 }, detail: 'CMake Error\n-- Configuring incomplete, errors occurred!\n',
+    span: { file: 'src/x/CMakeLists.txt', line: 4 },
+    detail: 'CMake Error\n-- Configuring incomplete, errors occurred!\n',
   })), { code: 'R2W0503', reason: 'CMakeLists.txt of package `x` failed: no zmq (src/x/CMakeLists.txt:4)' });
 });

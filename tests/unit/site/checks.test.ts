@@ -34,7 +34,7 @@ function withChecks(folder: string, checks: readonly Json[]): string {
   return folder;
 }
 
-function run(args: readonly string[]): Promise<{ readonly code: number | null; readonly out: string; readonly err: string }> {
+function run(args: readonly string[]): Promise<{ readonly code: number | null; readonly out: string; readonly err: string; }> {
   return new Promise((resolve) => {
     const child = spawn(process.execPath, [script, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
     let [out, err] = ['', ''];
@@ -45,7 +45,9 @@ function run(args: readonly string[]): Promise<{ readonly code: number | null; r
 }
 
 const ways: Readonly<Record<string, readonly string[]>> = {
-  shared: ['--link', 'shared'], port: ['--link', 'port'], stepped: ['--stepped', '--seed', '1'],
+  shared: ['--link', 'shared'],
+  port: ['--link', 'port'],
+  stepped: ['--stepped', '--seed', '1'],
 };
 
 for (const [way, args] of Object.entries(ways)) {
@@ -100,8 +102,10 @@ for (const [way, args] of Object.entries(ways)) {
 
 test('every stepped run of a seed decides at the same times', watchdog, async () => {
   const site = withChecks(makeFolder([{ program: 'talker.c' }]), [
-    { kind: 'log', log: 'World: 20' }, { kind: 'message', topic: '/chatter', field: 'data', matches: ': 33$' },
-    { kind: 'rate', topic: '/chatter', above: 49, below: 51 }, { kind: 'log', log: 'no', within_ms: 90_000 },
+    { kind: 'log', log: 'World: 20' },
+    { kind: 'message', topic: '/chatter', field: 'data', matches: ': 33$' },
+    { kind: 'rate', topic: '/chatter', above: 49, below: 51 },
+    { kind: 'log', log: 'no', within_ms: 90_000 },
   ]);
   const decided = async (): Promise<Json[]> => {
     const { code, out, err } = await run([site, '--checks', '--stepped', '--json']);
@@ -136,22 +140,28 @@ test('the time is over for what is not decided when the run is', watchdog, async
 
 test('again() forgets what was seen and looks at what comes', watchdog, async () => {
   await withSession([{ program: 'talker.c' }], async (plain) => {
-    const session = Object.assign(plain, { site: { ...plain.site, checks: [
-      { title: '', aim: { kind: 'log', log: 'World: 1\'' } as const, withinMs: 600_000 },
-      { title: '', aim: { kind: 'log', log: 'World: \\d+' } as const, withinMs: 600_000 },
-    ] } });
+    const session = Object.assign(plain, {
+      site: {
+        ...plain.site,
+        checks: [
+          { title: '', aim: { kind: 'log', log: "World: 1'" } as const, withinMs: 600_000 },
+          { title: '', aim: { kind: 'log', log: 'World: \\d+' } as const, withinMs: 600_000 },
+        ],
+      },
+    });
     const checks = await runChecks(session);
     session.useChecks(checks);
-    const until = (done: (views: readonly CheckView[]) => boolean): Promise<void> => new Promise((resolve) => {
-      if (done(checks.views())) resolve();
-      else {
-        const off = checks.onChange((views) => {
-          if (!done(views)) return;
-          off();
-          resolve();
-        });
-      }
-    });
+    const until = (done: (views: readonly CheckView[]) => boolean): Promise<void> =>
+      new Promise((resolve) => {
+        if (done(checks.views())) resolve();
+        else {
+          const off = checks.onChange((views) => {
+            if (!done(views)) return;
+            off();
+            resolve();
+          });
+        }
+      });
     assert.deepEqual(checks.views().map(({ state, seen }) => [state, seen]), [['waiting', 'no line'], ['waiting', 'no line']]);
     session.startAll();
     await until((views) => views.every(({ state }) => state === 'passed'));
@@ -185,10 +195,16 @@ test('what is found while another check is told is told once', watchdog, async (
     const log = plain.console('talker-1');
     // Lines as before the page draws: they are there, and nobody is told.
     const quiet = { lines: () => log.lines(), onLines: () => () => undefined };
-    const session = Object.assign(plain, { console: () => quiet, site: { ...plain.site, checks: [
-      { title: '', aim: { kind: 'rate', topic: '/nowhere' } as const, withinMs: 600_000 },
-      { title: '', aim: { kind: 'log', log: 'World: 1\'' } as const, withinMs: 600_000 },
-    ] } });
+    const session = Object.assign(plain, {
+      console: () => quiet,
+      site: {
+        ...plain.site,
+        checks: [
+          { title: '', aim: { kind: 'rate', topic: '/nowhere' } as const, withinMs: 600_000 },
+          { title: '', aim: { kind: 'log', log: "World: 1'" } as const, withinMs: 600_000 },
+        ],
+      },
+    });
     const checks = await runChecks(session);
     session.useChecks(checks);
     const told: string[][] = [];
@@ -225,15 +241,25 @@ test('values are what they must be', () => {
 
 test('site.json with a broken check is refused', () => {
   const site = (check: Json): unknown => ({ schema: 1, protocol: 1, nodes: [], checks: [{ within_ms: 1, ...check }] });
-  for (const check of [
-    { kind: 'sight' }, { kind: 'log', log: '(' }, { kind: 'log', log: 'a', node: 'nobody' }, { kind: 'rate' },
-    { kind: 'message', topic: '/a', field: 'x', equals: [1] }, { kind: 'state', node: 'x', state: 'fine' },
-  ]) assert.throws(() => readSite(site(check)), { code: 'R2W0700' });
+  for (
+    const check of [
+      { kind: 'sight' },
+      { kind: 'log', log: '(' },
+      { kind: 'log', log: 'a', node: 'nobody' },
+      { kind: 'rate' },
+      { kind: 'message', topic: '/a', field: 'x', equals: [1] },
+      { kind: 'state', node: 'x', state: 'fine' },
+    ]
+  ) assert.throws(() => readSite(site(check)), { code: 'R2W0700' });
 });
 
 test('hostile words stay words, in XML and on the terminal', () => {
   const view: CheckView = {
-    title: '"><script>&\u0000\ud800', state: 'failed', seen: '\u001b[2J</failure>\n\u0007', withinMs: 1000, source: { file: 'a"b.yaml', line: 1, column: 1 },
+    title: '"><script>&\u0000\ud800',
+    state: 'failed',
+    seen: '\u001b[2J</failure>\n\u0007',
+    withinMs: 1000,
+    source: { file: 'a"b.yaml', line: 1, column: 1 },
   };
   const xml = junitXml('a&b', [view, { ...view, state: 'passed', afterMs: 1500 }]);
   assert.doesNotMatch(xml, /<script>|\u0000|\u001b|\u0007|[\ud800-\udfff]/u);

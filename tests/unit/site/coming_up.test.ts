@@ -9,7 +9,7 @@ const never = new AbortController().signal;
 const node = { id: 'talker-1' } as SiteNode;
 
 /** Time passes, and what waits for it goes on. */
-async function pass(timers: { tick(ms: number): void }, ms: number): Promise<void> {
+async function pass(timers: { tick(ms: number): void; }, ms: number): Promise<void> {
   for (let passed = 0; passed < ms; passed += 1000) {
     timers.tick(1000);
     await Promise.resolve();

@@ -45,7 +45,9 @@ async function run({ words: [verb = '', text = ''], print, warn, file, signal }:
 
 const loader: CommandLoader = () => Promise.resolve(run);
 
-function withCommands(nodes: readonly Readonly<Record<string, unknown>>[], use: Parameters<typeof withSession>[1], commands = loader, steps: readonly unknown[] = []): Promise<void> {
+function withCommands(nodes: readonly Readonly<Record<string, unknown>>[], use: Parameters<typeof withSession>[1], commands = loader,
+  steps: readonly unknown[] = []): Promise<void>
+{
   return withSession([], use, 'shared', { nodes, launch: { steps } }, commands);
 }
 
@@ -57,7 +59,12 @@ test('one after the other, with lines on both streams and exit codes', watchdog,
     node('ros2-4', ['wait'], { start_on: { node: 'ros2-1', event: 'output', stream: 'stdout', tests: [{ how: 'is', text: 'lines' }] } }),
   ], async (session) => {
     assert.deepEqual(session.nodes()[0], {
-      id: 'ros2-1', label: 'ros2 say two\nlines', package: '', executable: 'ros2', command: true, state: { kind: 'stopped' },
+      id: 'ros2-1',
+      label: 'ros2 say two\nlines',
+      package: '',
+      executable: 'ros2',
+      command: true,
+      state: { kind: 'stopped' },
       source: { file: 'a.launch.py', line: 3, column: 1 },
     });
     session.startAll();
@@ -74,25 +81,33 @@ test('one after the other, with lines on both streams and exit codes', watchdog,
     assert.deepEqual(session.console('ros2-4').lines().map(({ text }) => text), ['begun', '^C', 'interrupted']);
   }, loader, [{ do: 'log', level: 'info', text: 'over', on: { node: 'ros2-2', event: 'exit' } }]));
 
-test('it respawns, as often as the launch file says, and is started again by hand', watchdog, () =>
-  withCommands([node('ros2-1', ['say', 'again'], { respawn: true, respawn_max_retries: 2 })], async (session) => {
-    const count = (): number => session.console('ros2-1').lines().length;
-    session.start('ros2-1');
-    while (count() < 3 || session.respawns() || session.nodes()[0]?.state.kind !== 'exited') await new Promise((soon) => { setTimeout(soon, 10); });
-    assert.equal(count(), 3);
-    session.start('ros2-1');
-    while (count() < 6) await new Promise((soon) => { setTimeout(soon, 10); });
-  }));
+test('it respawns, as often as the launch file says, and is started again by hand', watchdog,
+  () =>
+    withCommands([node('ros2-1', ['say', 'again'], { respawn: true, respawn_max_retries: 2 })], async (session) => {
+      const count = (): number => session.console('ros2-1').lines().length;
+      session.start('ros2-1');
+      while (count() < 3 || session.respawns() || session.nodes()[0]?.state.kind !== 'exited')
+        await new Promise((soon) => {
+          setTimeout(soon, 10);
+        });
+      assert.equal(count(), 3);
+      session.start('ros2-1');
+      while (count() < 6)
+        await new Promise((soon) => {
+          setTimeout(soon, 10);
+        });
+    }));
 
-test('one that does not listen is killed at the second Ctrl-C, and says nothing more', watchdog, () =>
-  withCommands([node('ros2-1', ['deaf'])], async (session) => {
-    session.startAll();
-    await prints(session, 'ros2-1', /begun/);
-    session.stop('ros2-1');
-    assert.equal(session.nodes()[0]?.state.kind, 'running');
-    session.stop('ros2-1');
-    assert.deepEqual(session.nodes()[0]?.state, { kind: 'exited', code: 137 });
-  }));
+test('one that does not listen is killed at the second Ctrl-C, and says nothing more', watchdog,
+  () =>
+    withCommands([node('ros2-1', ['deaf'])], async (session) => {
+      session.startAll();
+      await prints(session, 'ros2-1', /begun/);
+      session.stop('ros2-1');
+      assert.equal(session.nodes()[0]?.state.kind, 'running');
+      session.stop('ros2-1');
+      assert.deepEqual(session.nodes()[0]?.state, { kind: 'exited', code: 137 });
+    }));
 
 test('its end ends all, when the launch file says so; who is stopped starts nothing', watchdog, () =>
   withCommands([
@@ -112,24 +127,31 @@ test('when none runs and none is to come, all has ended: idle', watchdog, () =>
   ], async (session) => {
     session.startAll();
     await reaches(session, 'ros2-2', 'exited');
-    while (session.launchLog.lines().length === 0) await new Promise((soon) => { setTimeout(soon, 10); });
+    while (session.launchLog.lines().length === 0)
+      await new Promise((soon) => {
+        setTimeout(soon, 10);
+      });
     assert.deepEqual(session.launchLog.lines().map(({ text }) => text), ['[INFO] [launch.user]: over: idle']);
     assert.equal(session.console('ros2-1').lines().length, 2);
   }, loader, [{ do: 'log', level: 'info', text: 'over: \u2039why all ends\u203a', on: { event: 'shutdown' } }]));
 
-test('launched once more, one whose end ends all is told with its own code', watchdog, () =>
-  withCommands([node('ros2-1', ['wait']), node('ros2-2', ['fail', '3'])], async (session) => {
-    const told: unknown[] = [];
-    await new Promise<void>((done) => {
-      void session.launch({
-        arguments: new Map(), onLines: () => undefined, onSaid: (text) => told.push(text), onEnd: done,
-        onNode: ({ id }, state) => {
-          if (state.kind === 'exited') told.push([id, state.code]);
-        },
+test('launched once more, one whose end ends all is told with its own code', watchdog,
+  () =>
+    withCommands([node('ros2-1', ['wait']), node('ros2-2', ['fail', '3'])], async (session) => {
+      const told: unknown[] = [];
+      await new Promise<void>((done) => {
+        void session.launch({
+          arguments: new Map(),
+          onLines: () => undefined,
+          onSaid: (text) => told.push(text),
+          onEnd: done,
+          onNode: ({ id }, state) => {
+            if (state.kind === 'exited') told.push([id, state.code]);
+          },
+        });
       });
-    });
-    assert.deepEqual(told, ['[INFO] [launch]: all nodes are stopped: it failed', ['ros2-4', 3], ['ros2-3', 130]]);
-  }, loader, [{ do: 'shutdown', reason: 'it failed', on: { node: 'ros2-2', event: 'exit' } }]));
+      assert.deepEqual(told, ['[INFO] [launch]: all nodes are stopped: it failed', ['ros2-4', 3], ['ros2-3', 130]]);
+    }, loader, [{ do: 'shutdown', reason: 'it failed', on: { node: 'ros2-2', event: 'exit' } }]));
 
 test('what cannot be loaded, and a mistake of the command, are told as crashes', watchdog, async () => {
   const late: CommandLoader = () => Promise.reject(new SiteError('R2W0706', 'no network'));

@@ -20,7 +20,7 @@ test('strftime writes what C writes', () => {
   assert.equal(formatTime('%s %Q', time), `${leapDay} %Q`);
 });
 
-test('the functions work on a program\'s memory', () => {
+test("the functions work on a program's memory", () => {
   const memory = new ProgramMemory(new WebAssembly.Memory({ initial: 1 }));
   const imports = timeImports(() => memory, new SiteClock()) as Record<string, (...args: number[]) => number>;
   memory.set(8, leapDay);

@@ -92,7 +92,9 @@ test('a reader that has enough ends it: without a fault, met where nothing was t
   for (const [more, met] of [[[], 0], [['--until', 'never'], 1]] as const) {
     const child = spawn(process.execPath, [script, folder, ...more], { stdio: ['ignore', 'pipe', 'pipe'] });
     let err = '';
-    child.stderr.on('data', (bytes: Buffer) => { err += bytes.toString(); });
+    child.stderr.on('data', (bytes: Buffer) => {
+      err += bytes.toString();
+    });
     child.stdout.once('data', () => child.stdout.destroy());
     assert.equal(await new Promise((resolve) => child.on('close', resolve)), met, err);
     assert.equal(err, '');
@@ -110,7 +112,9 @@ test('without conditions it runs until all nodes ended', watchdog, async () => {
 
 test('a node that still waits when the launch ends does not keep the run', watchdog, async () => {
   const waits = { event: 'exit', node: 'listener-2' };
-  const { code, err } = await run([site({ program: 'exits.c', rules: { on_exit: 'shutdown' } }, { program: 'listener.c' }, { program: 'exits.c', rules: { start_on: waits } })]);
+  const { code, err } = await run([
+    site({ program: 'exits.c', rules: { on_exit: 'shutdown' } }, { program: 'listener.c' }, { program: 'exits.c', rules: { start_on: waits } }),
+  ]);
   assert.equal(code, 0, err);
   assert.match(err, /\[listener-2\] process has finished cleanly/);
   assert.doesNotMatch(err, /exits-3/);
@@ -147,6 +151,5 @@ test('bad input is told with a code and a fix', watchdog, async () => {
 });
 
 test('times are read with their units', () => {
-  assert.deepEqual(['5s', '250ms', '2m', '1.5s', '3'].map((text) => parseOptions(['x', '--for', text]).forMs),
-    [5000, 250, 120_000, 1500, 3000]);
+  assert.deepEqual(['5s', '250ms', '2m', '1.5s', '3'].map((text) => parseOptions(['x', '--for', text]).forMs), [5000, 250, 120_000, 1500, 3000]);
 });

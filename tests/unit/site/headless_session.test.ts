@@ -22,7 +22,9 @@ test('it ends once each stream has taken what was printed, and not before', asyn
   const ended = exitWhenPrinted(3, [quick, slow], (code) => void seen.push(`exit ${code}`));
   while (held.length > 0) {
     // If exitWhenPrinted did not wait for the slow stream, it would exit here.
-    await new Promise((resolve) => { setImmediate(resolve); });
+    await new Promise((resolve) => {
+      setImmediate(resolve);
+    });
     held.shift()?.();
   }
   await ended;

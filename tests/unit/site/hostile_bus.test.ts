@@ -3,9 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import {
-  BusEndpoint, BusHeader, BusSizes, BusTime, EndpointKind, ErrorCode, frameHeaderSize, History,
-} from '../../../runtime/protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusSizes, BusTime, EndpointKind, ErrorCode, frameHeaderSize, History } from '../../../runtime/protocol/generated/constants.ts';
 import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
 import { SiteClock } from '../../../runtime/site/bus/clock.ts';
 import { graphView } from '../../../runtime/site/bus/graph_view.ts';
@@ -44,12 +42,21 @@ class Scene {
   constructor() {
     this.a = this.join();
     this.b = this.join();
-    const make = (link: SharedLink, kind: number, name: string, qos: Partial<EndpointQos>): number => link.endpointCreate({
-      kind, node: link.nodeCreate('n', '/'), name, type: 't/msg/T', hash: '', flags: 0, qos: { ...defaultQos, ...qos },
-    });
+    const make = (link: SharedLink, kind: number, name: string, qos: Partial<EndpointQos>): number =>
+      link.endpointCreate({
+        kind,
+        node: link.nodeCreate('n', '/'),
+        name,
+        type: 't/msg/T',
+        hash: '',
+        flags: 0,
+        qos: { ...defaultQos, ...qos },
+      });
     const all = { history: History.keepAll };
-    this.writers = [make(this.a, EndpointKind.publisher, '/x', {}), make(this.a, EndpointKind.publisher, '/y', all), make(this.a, EndpointKind.client, '/s', {})];
-    this.readers = [make(this.b, EndpointKind.subscription, '/x', {}), make(this.b, EndpointKind.subscription, '/y', all), make(this.b, EndpointKind.server, '/s', {})];
+    this.writers = [make(this.a, EndpointKind.publisher, '/x', {}), make(this.a, EndpointKind.publisher, '/y', all),
+      make(this.a, EndpointKind.client, '/s', {})];
+    this.readers = [make(this.b, EndpointKind.subscription, '/x', {}), make(this.b, EndpointKind.subscription, '/y', all),
+      make(this.b, EndpointKind.server, '/s', {})];
     const buffer = new ArrayBuffer(frameHeaderSize + room);
     this.heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
   }
@@ -82,7 +89,9 @@ class Scene {
       }
       yield () => sampler.sample(Date.now());
       yield () => sampler.lastMessage('/x', Date.now());
-      yield () => JSON.stringify(graphView(link.graphReplica.nodes.values(), link.records(), () => 'n'), (_key, value: unknown) => typeof value === 'bigint' ? String(value) : value);
+      yield () =>
+        JSON.stringify(graphView(link.graphReplica.nodes.values(), link.records(), () => 'n'), (_key, value: unknown) =>
+          typeof value === 'bigint' ? String(value) : value);
       yield () => [a.graph(), b.graph(), a.matched(this.writers[0]!), b.statusVersion()];
     }
   }
@@ -98,7 +107,10 @@ function junk(scene: Scene, random: () => number): void {
   const places: readonly (readonly [number, number])[] = [
     [header, (BusHeader.size >> 2) - header],
     [endpoint, BusSizes.endpoint >> 2],
-    [endpoint + BusEndpoint.head, 1], [endpoint + BusEndpoint.ring, 1], [endpoint + BusEndpoint.table, 1], [endpoint + BusEndpoint.generation, 1],
+    [endpoint + BusEndpoint.head, 1],
+    [endpoint + BusEndpoint.ring, 1],
+    [endpoint + BusEndpoint.table, 1],
+    [endpoint + BusEndpoint.generation, 1],
     [endpoint, 1],
     [bus.participantWord(random() % 8), BusSizes.participant >> 2],
     [bus.nodeWord(random() % 8), BusSizes.node >> 2],

@@ -11,8 +11,13 @@ import { readSite } from '../../../runtime/site/contract/site_reader.ts';
 import { runTexts } from '../../../runtime/site/ui/texts_run.ts';
 import { isGiven, launchLink, valuesOf } from '../../../runtime/site/ui/model/launch_link.ts';
 
-const argument = (name: string, usual: string | undefined, value = usual ?? '', choices: readonly string[] = []) =>
-  ({ name, value, description: '', choices, ...(usual === undefined ? {} : { default: usual, packed: usual }) });
+const argument = (name: string, usual: string | undefined, value = usual ?? '', choices: readonly string[] = []) => ({
+  name,
+  value,
+  description: '',
+  choices,
+  ...(usual === undefined ? {} : { default: usual, packed: usual }),
+});
 
 test('an address and a command line give the same', () => {
   assert.deepEqual([...givenInAddress('?robot:=a%20b&seed=3&empty:=&x:=1:=2')], [['robot', 'a b'], ['empty', ''], ['x', '1:=2']]);
@@ -68,7 +73,7 @@ test('R2W0733: a launch file that asks for more and more files', async () => {
 test('files are fetched once, and handed on', async () => {
   const asked: string[] = [];
   const evaluate = (question: string): unknown => {
-    const { files } = JSON.parse(question) as { files: Record<string, string> };
+    const { files } = JSON.parse(question) as { files: Record<string, string>; };
     return files['share/p/a'] === undefined ? { needs: ['share/p/a'] } : { nodes: [], text: files['share/p/a'] };
   };
   const answer = await evaluateLaunch(evaluate, '{}', { given: {} }, ['share/p/a'], (path) => {
@@ -80,18 +85,24 @@ test('files are fetched once, and handed on', async () => {
 });
 
 const siteOfPython = readSite({
-  schema: 1, protocol: protocolVersion, nodes: [], files: [],
+  schema: 1,
+  protocol: protocolVersion,
+  nodes: [],
+  files: [],
   launch_file: {
-    data: 'launch.json', evaluator: 'launch_evaluator.wasm', arguments: [],
+    data: 'launch.json',
+    evaluator: 'launch_evaluator.wasm',
+    arguments: [],
     python: { tried: ['mode'], program: 'pyodide/pyodide.asm.wasm', archives: [] },
   },
 });
 
 /** A platform whose worker says what `reports` does, and notes its end. */
-function workerPlatform(reports: readonly WorkerReport[], failed?: string): { platform: Platform; ended: () => number } {
+function workerPlatform(reports: readonly WorkerReport[], failed?: string): { platform: Platform; ended: () => number; } {
   let ended = 0;
   const platform = {
-    place: '/site', compile: async () => new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)),
+    place: '/site',
+    compile: async () => new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)),
     bytes: async () => new ArrayBuffer(0),
     startWorker: (_name: string, events: WorkerEvents): WorkerHandle => ({
       post: () => {

@@ -30,20 +30,26 @@ class Host {
   silent = false;
   idle = false;
   problem: SiteError | undefined;
-  private tasks: { readonly at: number; readonly task: () => void; off: boolean }[] = [];
+  private tasks: { readonly at: number; readonly task: () => void; off: boolean; }[] = [];
   private listener: MessageListener | undefined;
   readonly steps: LaunchSteps;
 
   constructor(steps: readonly LaunchStep[], nodes: readonly Partial<SiteNode>[] = []) {
     const unused = (): never => assert.fail('nobody asked for this');
     const node: PageNode = {
-      name: '/page', publisher: unused, actionClient: unused, timer: unused,
+      name: '/page',
+      publisher: unused,
+      actionClient: unused,
+      timer: unused,
       subscription: (_topic, _type, _qos, listener) => {
         this.listener = listener;
         return { problem: undefined, matched: () => 1, close: () => void this.done.push('deaf') };
       },
       client: () => ({
-        problem: undefined, matched: () => 1, ready: () => true, close: () => undefined,
+        problem: undefined,
+        matched: () => 1,
+        ready: () => true,
+        close: () => undefined,
         call: async (request, options) => {
           this.calls.push(request[4] ?? -1);
           if (this.silent) await new Promise((_resolve, reject) => options?.signal?.addEventListener('abort', () => reject(new Error('given up'))));
@@ -53,7 +59,8 @@ class Host {
       }),
     };
     this.steps = new LaunchSteps({
-      nodes: nodes as readonly SiteNode[], steps,
+      nodes: nodes as readonly SiteNode[],
+      steps,
       after: (ms, task) => {
         const entry = { at: ms, task, off: false };
         this.tasks.push(entry);
@@ -91,7 +98,9 @@ const log = (text: string, more: Partial<LaunchStep> = {}): LaunchStep => ({ do:
 
 test('lines come with the launch, late, and after starts and ends', () => {
   const host = new Host([
-    log('at once'), log('late', { after: 2 }), log('started', { on: { event: 'start', node: 'a-1' } }),
+    log('at once'),
+    log('late', { after: 2 }),
+    log('started', { on: { event: 'start', node: 'a-1' } }),
     log('ended', { on: { event: 'exit', node: 'a-1', once: true } }),
   ]);
   host.steps.launched();
@@ -107,7 +116,9 @@ test('lines come with the launch, late, and after starts and ends', () => {
 test('of the moments of a handler that is followed once the first one counts, with all that it says', () => {
   const on = (node: string): NodeMoment => ({ event: 'exit', node, once: true, handler: 3 });
   const host = new Host([
-    log('a ended', { on: on('a-1') }), log('a, really', { on: on('a-1') }), log('b ended', { on: on('b-1') }),
+    log('a ended', { on: on('a-1') }),
+    log('a, really', { on: on('a-1') }),
+    log('b ended', { on: on('b-1') }),
     log('each time', { on: { event: 'exit', node: 'b-1' } }),
   ], [{ id: 'c-1', startOn: on('b-1'), startAfter: 0 }, { id: 'd-1', startOn: on('a-1'), startAfter: 0 }]);
   for (const id of ['c-1', 'd-1']) host.states.set(id, 'waiting');
@@ -120,8 +131,10 @@ test('of the moments of a handler that is followed once the first one counts, wi
 
 test('a shutdown tells its reason once, calls off what was to come, and nothing is followed after it', () => {
   const host = new Host([
-    { do: 'shutdown', reason: 'done', after: 0, on: { event: 'exit', node: 'a-1' } }, log('never', { after: 1 }),
-    log('bye, \u2039why all ends\u203a', { level: 'error', on: { event: 'shutdown' } }), log('not any more', { on: { event: 'exit', node: 'b-1' } }),
+    { do: 'shutdown', reason: 'done', after: 0, on: { event: 'exit', node: 'a-1' } },
+    log('never', { after: 1 }),
+    log('bye, \u2039why all ends\u203a', { level: 'error', on: { event: 'shutdown' } }),
+    log('not any more', { on: { event: 'exit', node: 'b-1' } }),
   ] as LaunchStep[]);
   host.steps.launched();
   host.steps.happened('a-1', 'exit');
@@ -157,11 +170,21 @@ test('when nothing runs any more and nothing is to come, all has ended: idle', a
 
 test('lines of a node bring what asks for such, and stand in what is said of them', () => {
   const test = (how: LineTest['how'], text: string, more: Partial<LineTest> = {}): LineTest => ({ how, text, anyCase: false, holds: true, ...more });
-  const on = (tests: readonly LineTest[], more: Partial<OutputMoment> = {}): OutputMoment => ({ event: 'output', node: 'a-1', stream: 'stdout', tests, ...more });
+  const on = (tests: readonly LineTest[], more: Partial<OutputMoment> = {}): OutputMoment => ({
+    event: 'output',
+    node: 'a-1',
+    stream: 'stdout',
+    tests,
+    ...more,
+  });
   const host = new Host([
-    log('all: \u2039what it prints\u203a', { on: on([]) }), log('begins', { on: on([test('begins', 'sys')]) }), log('ends', { on: on([test('ends', 'dy')]) }),
-    log('is', { on: on([test('is', 'system READY', { anyCase: true })]) }), log('not', { on: on([test('contains', 'ready'), test('contains', 'un', { holds: false })]) }),
-    log('once', { on: on([], { once: true }) }), log('error', { on: on([], { stream: 'stderr' }) }),
+    log('all: \u2039what it prints\u203a', { on: on([]) }),
+    log('begins', { on: on([test('begins', 'sys')]) }),
+    log('ends', { on: on([test('ends', 'dy')]) }),
+    log('is', { on: on([test('is', 'system READY', { anyCase: true })]) }),
+    log('not', { on: on([test('contains', 'ready'), test('contains', 'un', { holds: false })]) }),
+    log('once', { on: on([], { once: true }) }),
+    log('error', { on: on([], { stream: 'stderr' }) }),
     { do: 'shutdown', reason: 'it said \u2039what it prints\u203a', after: 0, on: on([test('is', 'stop $&')]) },
   ], [{ id: 'b-1', startOn: on([test('contains', 'ready')]), startAfter: 1 }]);
   host.states.set('b-1', 'waiting');
@@ -177,7 +200,8 @@ test('lines of a node bring what asks for such, and stand in what is said of the
 
 test('a node that the launch ends has ended as if by itself; one that is stopped has not', () => {
   const host = new Host([
-    { do: 'end', node: 'a-1', after: 0, on: { event: 'start', node: 'b-1' } }, log('over', { on: { event: 'exit', node: 'a-1' } }),
+    { do: 'end', node: 'a-1', after: 0, on: { event: 'start', node: 'b-1' } },
+    log('over', { on: { event: 'exit', node: 'a-1' } }),
   ], [{ id: 'a-1', shutdownOnExit: true }, { id: 'b-1' }]);
   host.steps.launched();
   host.states.set('a-1', 'exited');
@@ -190,11 +214,17 @@ test('a node that the launch ends has ended as if by itself; one that is stopped
 });
 
 const change = (on?: LaunchStep['on']): LaunchStep => ({
-  do: 'transition', node: 'a-1', name: '/a', transitions: [1, 3], after: 0, ...(on === undefined ? {} : { on }),
+  do: 'transition',
+  node: 'a-1',
+  name: '/a',
+  transitions: [1, 3],
+  after: 0,
+  ...(on === undefined ? {} : { on }),
 });
-const turn = (): Promise<void> => new Promise((resolve) => {
-  setImmediate(resolve);
-});
+const turn = (): Promise<void> =>
+  new Promise((resolve) => {
+    setImmediate(resolve);
+  });
 
 test('transitions are made one after the other when the node runs, and no further than one that is refused', async () => {
   const host = new Host([change()]);

@@ -9,11 +9,11 @@ import { linkedModule, neededModules } from '../../../runtime/site/program/modul
 const BUILT = process.env['ROS2WASM_BUILD'] ?? new URL('../../../build', import.meta.url).pathname;
 
 interface Source extends Node {
-  readonly source?: { readonly value?: unknown } | null;
+  readonly source?: { readonly value?: unknown; } | null;
 }
 
 /** The imports of the module, by the parser: static ones in `now`, dynamic ones in `later`. */
-function imports(text: string): { readonly now: string[]; readonly later: string[] } {
+function imports(text: string): { readonly now: string[]; readonly later: string[]; } {
   const now: string[] = [];
   const later: string[] = [];
   const visit = (value: unknown): void => {
@@ -30,7 +30,7 @@ function imports(text: string): { readonly now: string[]; readonly later: string
 
 test('each import of the built page is named anew, and nothing else is changed', () => {
   const folder = join(BUILT, 'runtime');
-  const { assets } = JSON.parse(readFileSync(join(folder, 'runtime_assets.json'), 'utf8')) as { assets: { file: string; role: string }[] };
+  const { assets } = JSON.parse(readFileSync(join(folder, 'runtime_assets.json'), 'utf8')) as { assets: { file: string; role: string; }[]; };
   const modules = assets.filter(({ file, role }) => file.endsWith('.js') && ['script', 'launch_script'].includes(role) && file !== 'boot.js');
   assert.ok(modules.length > 60, 'modules');
   const names = new Set(readdirSync(folder));

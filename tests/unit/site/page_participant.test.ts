@@ -61,27 +61,28 @@ async function codeOf(promise: Promise<unknown>): Promise<string> {
 
 const bytes = (...values: number[]): Uint8Array => Uint8Array.of(0, 1, 0, 0, ...values);
 
-test('port: a message that was to wait for room and was lost is told by the next call', watchdog, (context) =>
-  withScene('port', async ({ broker, session }) => {
-    const publisher = session.node().publisher('/all', string);
-    for (const [code, told] of [[ErrorCode.outOfMemory, /does not fit into the memory/], [ErrorCode.stopped, /was closed/]] as const) {
-      const write = context.mock.method(broker.link, 'write', () => Promise.resolve(code));
-      assert.equal(publisher.publish(bytes(1)), undefined);
-      assert.match(publisher.publish(bytes(2))?.message ?? '', /cannot take more now/);
-      await new Promise((resolve) => setImmediate(resolve));
-      write.mock.restore();
-      const problem = publisher.publish(bytes(3));
-      assert.equal(problem?.code, 'R2W0718');
-      assert.match(problem.message, told);
-      assert.equal(publisher.publish(bytes(4)), undefined);
-    }
-  }));
+test('port: a message that was to wait for room and was lost is told by the next call', watchdog,
+  (context) =>
+    withScene('port', async ({ broker, session }) => {
+      const publisher = session.node().publisher('/all', string);
+      for (const [code, told] of [[ErrorCode.outOfMemory, /does not fit into the memory/], [ErrorCode.stopped, /was closed/]] as const) {
+        const write = context.mock.method(broker.link, 'write', () => Promise.resolve(code));
+        assert.equal(publisher.publish(bytes(1)), undefined);
+        assert.match(publisher.publish(bytes(2))?.message ?? '', /cannot take more now/);
+        await new Promise((resolve) => setImmediate(resolve));
+        write.mock.restore();
+        const problem = publisher.publish(bytes(3));
+        assert.equal(problem?.code, 'R2W0718');
+        assert.match(problem.message, told);
+        assert.equal(publisher.publish(bytes(4)), undefined);
+      }
+    }));
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: endpoints that cannot be made are not remembered`, watchdog, () =>
     withScene(link, async ({ session }) => {
       const node = session.node();
-      const { open } = node as unknown as { readonly open: ReadonlySet<unknown> };
+      const { open } = node as unknown as { readonly open: ReadonlySet<unknown>; };
       const before = open.size;
       for (let i = 0; i < 10; i += 1) {
         assert.ok(node.publisher('/a b', string).problem);
@@ -132,7 +133,8 @@ for (const link of ['shared', 'port'] as const) {
       other.write(latched, bytes(42));
       const node = session.node();
       const got: number[] = [];
-      node.subscription('/first', string, {}, () => undefined);
+      node.subscription('/first', string, {}, () =>
+        undefined);
       node.subscription('/map', string, { durability: 'transient_local', depth: 1 }, (message) => got.push(message[4]!));
       await holds(() => got.length === 1);
       assert.deepEqual(got, [42]);
@@ -156,10 +158,12 @@ for (const link of ['shared', 'port'] as const) {
     withScene(link, async ({ session, peer }) => {
       const other = peer();
       const spoken = other.make(EndpointKind.publisher, 'talker', '/chatter', string, { depth: 8 });
-      for (let n = 1; n <= 100; n += 1) other.write(spoken, bytes(n));
+      for (let n = 1; n <= 100; n += 1)
+        other.write(spoken, bytes(n));
       const node = session.node();
       const [plain, all, newest]: [number[], number[], number[]] = [[], [], []];
-      const into = (got: number[]) => (message: Uint8Array): void => void got.push(message[4]!);
+      const into = (got: number[]) => (message: Uint8Array): void =>
+        void got.push(message[4]!);
       const ends = [
         node.subscription('/chatter', string, { depth: 200 }, into(plain)),
         node.subscription('/chatter', string, { depth: 200, past: true }, into(all)),
@@ -229,7 +233,9 @@ for (const link of ['shared', 'port'] as const) {
         await other.next(server);
         other[end]();
         assert.equal(await codeOf(call), 'R2W0716', end);
-        await holds(() => !client.ready());
+        await holds(() =>
+          !client.ready()
+        );
       }
       assert.equal(await codeOf(client.call(bytes(1), { timeoutMs: 20 })), 'R2W0716');
       const other = peer();
@@ -384,7 +390,9 @@ for (const link of ['shared', 'port'] as const) {
       const client = session.node().actionClient('/count', count);
       const other = peer();
       const server = new HandServer(other);
-      await holds(() => client.ready());
+      await holds(() =>
+        client.ready()
+      );
       const goal = client.sendGoal(bytes(5, 0, 0, 0));
       const request = await other.next(server.goals);
       server.answer(request, true);
@@ -415,8 +423,18 @@ for (const link of ['shared', 'port'] as const) {
       assert.deepEqual(counter?.actionServers, [{ name: '/count', type: count }]);
       assert.deepEqual(counter?.services.map(({ name }) => name), ['cancel_goal', 'get_result', 'send_goal'].map((part) => `/count/_action/${part}`));
       assert.deepEqual(talker?.publishers.map(({ gid, ...rest }) => [/^[0-9a-f]{32}$/.test(gid), rest]), [[true, {
-        name: '/chatter', type: string, hash: '', qos: {
-          reliability: 'best_effort', durability: 'volatile', history: 'keep_last', depth: 3, liveliness: 'automatic', deadlineNs: 1e9, lifespanNs: 0, leaseNs: 0,
+        name: '/chatter',
+        type: string,
+        hash: '',
+        qos: {
+          reliability: 'best_effort',
+          durability: 'volatile',
+          history: 'keep_last',
+          depth: 3,
+          liveliness: 'automatic',
+          deadlineNs: 1e9,
+          lifespanNs: 0,
+          leaseNs: 0,
         },
       }]]);
       other.leave();

@@ -16,8 +16,11 @@ function png(width: number, depth: number, color: number, data: Uint8Array, pale
   };
   const head = Buffer.from([0, 0, 0, width, 0, 0, 0, 1, depth, color, 0, 0, 0]);
   return new Uint8Array(Buffer.concat([
-    Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]), chunk('IHDR', head), ...(palette === undefined ? [] : [chunk('PLTE', palette)]),
-    chunk('IDAT', deflateSync(data)), chunk('IEND', new Uint8Array()),
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]),
+    chunk('IHDR', head),
+    ...(palette === undefined ? [] : [chunk('PLTE', palette)]),
+    chunk('IDAT', deflateSync(data)),
+    chunk('IEND', new Uint8Array()),
   ]));
 }
 

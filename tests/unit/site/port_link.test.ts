@@ -15,7 +15,7 @@ import { eventually } from '../../support/eventually.ts';
 const watchdog = { timeout: 240_000 };
 const thirtyDaysMs = 30 * 86_400_000;
 
-function join(broker: PortBroker): { link: PortLink; participant: number } {
+function join(broker: PortBroker): { link: PortLink; participant: number; } {
   const admission = broker.admit();
   assert.ok(admission?.ticket.kind === 'port');
   return { link: new PortLink(admission.ticket), participant: admission.participant };
@@ -55,9 +55,16 @@ test('waits and sleeps that are over leave nothing behind', watchdog, async () =
 test('a best_effort keep_all reader that takes nothing blocks no writer, and may miss what is beyond the limit', watchdog, async () => {
   const broker = new PortBroker();
   const [a, b] = [join(broker).link, join(broker).link];
-  const make = (link: PortLink, kind: number, qos: Partial<EndpointQos>): number => link.endpointCreate({
-    kind, node: link.nodeCreate('n', '/'), name: '/x', type: 't', hash: '', flags: 0, qos: { ...defaultQos, history: History.keepAll, ...qos },
-  });
+  const make = (link: PortLink, kind: number, qos: Partial<EndpointQos>): number =>
+    link.endpointCreate({
+      kind,
+      node: link.nodeCreate('n', '/'),
+      name: '/x',
+      type: 't',
+      hash: '',
+      flags: 0,
+      qos: { ...defaultQos, history: History.keepAll, ...qos },
+    });
   const buffer = new ArrayBuffer(256);
   const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
   const pub = make(a, EndpointKind.publisher, {});
@@ -139,12 +146,24 @@ test('the page hears of a program that publishes and ends before it ever waits, 
   const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
   const qos = { ...defaultQos, reliability: Reliability.bestEffort, depth: 100 };
   const sub = page.endpointCreate({
-    kind: EndpointKind.subscription, node: page.nodeCreate('page', '/_ros2wasm'), name: '/x', type: '', hash: '', flags: flagHidden, qos,
+    kind: EndpointKind.subscription,
+    node: page.nodeCreate('page', '/_ros2wasm'),
+    name: '/x',
+    type: '',
+    hash: '',
+    flags: flagHidden,
+    qos,
   });
   const { link } = join(broker);
   // Nothing arrives at the program from here on: it never lets the event loop run.
   const pub = link.endpointCreate({
-    kind: EndpointKind.publisher, node: link.nodeCreate('n', '/'), name: '/x', type: 'some/msg/Type', hash: '', flags: 0, qos: defaultQos,
+    kind: EndpointKind.publisher,
+    node: link.nodeCreate('n', '/'),
+    name: '/x',
+    type: 'some/msg/Type',
+    hash: '',
+    flags: 0,
+    qos: defaultQos,
   });
   for (let i = 1; i <= 3; i += 1) {
     heap.i32.fill(0, 0, 16);
@@ -163,8 +182,16 @@ test('the page hears of a program that publishes and ends before it ever waits, 
 });
 
 const record = {
-  key: (1 << 20) | 2, participant: 1, nodeKey: (1 << 20) | 1, kind: EndpointKind.publisher, name: '/x', type: 't', hash: '',
-  qos: defaultQos, flags: 0, gid: new Int32Array(4),
+  key: (1 << 20) | 2,
+  participant: 1,
+  nodeKey: (1 << 20) | 1,
+  kind: EndpointKind.publisher,
+  name: '/x',
+  type: 't',
+  hash: '',
+  qos: defaultQos,
+  flags: 0,
+  gid: new Int32Array(4),
 };
 const node = { key: (1 << 20) | 1, participant: 1, namespace: '/', name: 'n' };
 
@@ -177,24 +204,58 @@ function frameOf(writer: number, bytes = 64): ArrayBuffer {
 
 test('what comes through a port is read: only what its sender may say', () => {
   const good: readonly unknown[] = [
-    { t: 'node+', node }, { t: 'node-', key: node.key }, { t: 'ep+', record }, { t: 'ep-', key: record.key },
+    { t: 'node+', node },
+    { t: 'node-', key: node.key },
+    { t: 'ep+', record },
+    { t: 'ep-', key: record.key },
     { t: 'ep-', key: record.key, last: { key: record.key, count: 1, bytes: 2, time: 0.5, payload: undefined } },
-    { t: 'match', mine: record.key, yours: 5, after: 0 }, { t: 'late', reader: 5, frames: [frameOf(record.key)] },
-    { t: 'ack', writer: 5, sequence: -1 }, { t: 'alive', writer: record.key }, { t: 'sample', topics: ['/x'] },
-    { t: 'samples', writers: [{ key: record.key, count: 1, bytes: 2, time: 3, payload: new Uint8Array(1) }] }, { t: 'bye' },
-    frameOf(record.key), frameOf(record.key, 100),
+    { t: 'match', mine: record.key, yours: 5, after: 0 },
+    { t: 'late', reader: 5, frames: [frameOf(record.key)] },
+    { t: 'ack', writer: 5, sequence: -1 },
+    { t: 'alive', writer: record.key },
+    { t: 'sample', topics: ['/x'] },
+    { t: 'samples', writers: [{ key: record.key, count: 1, bytes: 2, time: 3, payload: new Uint8Array(1) }] },
+    { t: 'bye' },
+    frameOf(record.key),
+    frameOf(record.key, 100),
   ];
   for (const [i, message] of good.entries()) assert.equal(readPeer(1, message), message, `number ${i}`);
   const other = (2 << 20) | 2;
   const bad: readonly unknown[] = [
-    undefined, null, 3, 'bye', [], {}, { t: 'constructor' }, { t: 'gone', participant: 2 }, new Uint8Array(64), frameOf(record.key, 8), frameOf(other),
-    { t: 'node+' }, { t: 'node+', node: { ...node, key: other } }, { t: 'node+', node: { ...node, name: '' } }, { t: 'node+', node: { ...node, participant: 2 } },
-    { t: 'node-', key: other }, { t: 'node-', key: 'x' }, { t: 'ep+', record: null }, { t: 'ep+', record: { ...record, key: other } },
-    { t: 'ep+', record: { ...record, qos: undefined } }, { t: 'ep+', record: { ...record, qos: { ...defaultQos, lifespan: 5 } } },
-    { t: 'ep+', record: { ...record, gid: [1, 2, 3, 4] } }, { t: 'ep+', record: { ...record, kind: 9 } }, { t: 'ep+', record: { ...record, name: {} } },
-    { t: 'ep-', key: other }, { t: 'ep-', key: record.key, last: { key: other } }, { t: 'match', mine: other, yours: 5, after: 0 },
-    { t: 'match', mine: record.key, yours: NaN, after: 0 }, { t: 'late', reader: 5, frames: [frameOf(other)] }, { t: 'late', reader: 5 },
-    { t: 'ack', writer: {}, sequence: 1 }, { t: 'alive', writer: other }, { t: 'sample' }, { t: 'samples', writers: [{ key: other }] },
+    undefined,
+    null,
+    3,
+    'bye',
+    [],
+    {},
+    { t: 'constructor' },
+    { t: 'gone', participant: 2 },
+    new Uint8Array(64),
+    frameOf(record.key, 8),
+    frameOf(other),
+    { t: 'node+' },
+    { t: 'node+', node: { ...node, key: other } },
+    { t: 'node+', node: { ...node, name: '' } },
+    { t: 'node+', node: { ...node, participant: 2 } },
+    { t: 'node-', key: other },
+    { t: 'node-', key: 'x' },
+    { t: 'ep+', record: null },
+    { t: 'ep+', record: { ...record, key: other } },
+    { t: 'ep+', record: { ...record, qos: undefined } },
+    { t: 'ep+', record: { ...record, qos: { ...defaultQos, lifespan: 5 } } },
+    { t: 'ep+', record: { ...record, gid: [1, 2, 3, 4] } },
+    { t: 'ep+', record: { ...record, kind: 9 } },
+    { t: 'ep+', record: { ...record, name: {} } },
+    { t: 'ep-', key: other },
+    { t: 'ep-', key: record.key, last: { key: other } },
+    { t: 'match', mine: other, yours: 5, after: 0 },
+    { t: 'match', mine: record.key, yours: NaN, after: 0 },
+    { t: 'late', reader: 5, frames: [frameOf(other)] },
+    { t: 'late', reader: 5 },
+    { t: 'ack', writer: {}, sequence: 1 },
+    { t: 'alive', writer: other },
+    { t: 'sample' },
+    { t: 'samples', writers: [{ key: other }] },
   ];
   for (const [i, message] of bad.entries()) assert.equal(readPeer(1, message), undefined, `number ${i}`);
 });
@@ -208,15 +269,22 @@ test('who sends junk to its peers is dropped by each, and the page is told who i
   assert.ok(admission?.ticket.kind === 'port');
   const a = join(broker);
   const b = join(broker);
-  const make = (link: PortLink, kind: number): number => link.endpointCreate({
-    kind, node: link.nodeCreate('n', '/'), name: '/x', type: 't', hash: '', flags: 0, qos: defaultQos,
-  });
+  const make = (link: PortLink, kind: number): number =>
+    link.endpointCreate({
+      kind,
+      node: link.nodeCreate('n', '/'),
+      name: '/x',
+      type: 't',
+      hash: '',
+      flags: 0,
+      qos: defaultQos,
+    });
   const [writer, reader] = [make(a.link, EndpointKind.publisher), make(b.link, EndpointKind.subscription)];
   await eventually('they match', async () => a.link.matched(writer) === 1 && b.link.matched(reader) === 1);
   // It plays by no rules: its ports are used as they are. Those to who came later come through its control port.
   const ports = admission.ticket.peers.map(({ port }) => port);
   admission.ticket.control.addEventListener('message', (event) => {
-    const { t, peer } = (event as MessageEvent<{ readonly t: string; readonly peer?: { readonly port: MessagePort } }>).data;
+    const { t, peer } = (event as MessageEvent<{ readonly t: string; readonly peer?: { readonly port: MessagePort; }; }>).data;
     if (t === 'peer' && peer !== undefined) ports.push(peer.port);
   });
   admission.ticket.control.start();

@@ -14,9 +14,8 @@ const threadSupport = join(root, 'templates/toolchain/src/thread_support.cpp');
 const exceptionContext = join(root, 'templates/toolchain/include/ros2wasm/exception_context.h');
 
 const compile = ['-O2', '-fwasm-exceptions', '-pthread', `-I${include}`];
-const link = ['-O2', '--profiling-funcs', '-fwasm-exceptions', '-sALLOW_MEMORY_GROWTH=1',
-  '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0', '-Wno-pthreads-mem-growth',
-  '-Wl,--export-if-defined=__cpp_exception', '-Wl,--export-if-defined=ros2wasm_exception_what',
+const link = ['-O2', '--profiling-funcs', '-fwasm-exceptions', '-sALLOW_MEMORY_GROWTH=1', '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0',
+  '-Wno-pthreads-mem-growth', '-Wl,--export-if-defined=__cpp_exception', '-Wl,--export-if-defined=ros2wasm_exception_what',
   '-Wl,--export-if-defined=ros2wasm_thread_stack', '-Wl,--export-if-defined=ros2wasm_timed_waits',
   ...['read', 'write', 'seek', 'close', 'is_open'].map((call) => `-Wl,--export-if-defined=ros2wasm_fd_${call}`)];
 
@@ -48,7 +47,8 @@ export function buildProgram(name: string, { threads = false }: ProgramKind = {}
     run(cpp ? 'em++' : 'emcc', [...compile, ...(cpp ? context : []), '-c', file, '-o', object]);
     return object;
   });
-  const kind = threads ? ['-pthread', '-sMAXIMUM_MEMORY=1GB', '-o', join(work, 'program.js')]
+  const kind = threads
+    ? ['-pthread', '-sMAXIMUM_MEMORY=1GB', '-o', join(work, 'program.js')]
     : ['-sSTANDALONE_WASM', '-o', join(work, 'program.wasm')];
   run('em++', [...link, ...(name.endsWith('.cpp') ? ['-Wl,--wrap=abort,--wrap=_Unwind_RaiseException'] : []), ...objects, ...kind]);
   try {

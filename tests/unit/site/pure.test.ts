@@ -18,8 +18,17 @@ import { readSite } from '../../../runtime/site/contract/site_reader.ts';
 
 function record(over: Partial<EndpointRecord>): EndpointRecord {
   return {
-    key: 1, participant: 1, nodeKey: 1, kind: EndpointKind.publisher, name: '/a', type: 'p/msg/T', hash: '',
-    qos: defaultQos, flags: 0, gid: new Int32Array(4), ...over,
+    key: 1,
+    participant: 1,
+    nodeKey: 1,
+    kind: EndpointKind.publisher,
+    name: '/a',
+    type: 'p/msg/T',
+    hash: '',
+    qos: defaultQos,
+    flags: 0,
+    gid: new Int32Array(4),
+    ...over,
   };
 }
 
@@ -174,8 +183,20 @@ const site = { schema: 1, protocol: 1, name: 'n', nodes: [node] };
 test('site.json: what may be omitted has a value', () => {
   const read = readSite(site);
   assert.deepEqual(read.nodes[0], {
-    id: 'a-1', package: 'p', executable: 'a', label: 'a-1', kind: 'cpp', program: 'programs/p/a.wasm', threads: false,
-    arguments: [], environment: {}, output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
+    id: 'a-1',
+    package: 'p',
+    executable: 'a',
+    label: 'a-1',
+    kind: 'cpp',
+    program: 'programs/p/a.wasm',
+    threads: false,
+    arguments: [],
+    environment: {},
+    output: 'screen',
+    respawn: false,
+    respawnDelay: 0,
+    startAfter: 0,
+    shutdownOnExit: false,
   });
 });
 
@@ -188,7 +209,13 @@ test('site.json: a Python node', () => {
 test('site.json: a command of ros2, which has no program', () => {
   const command = { id: 'ros2-1', package: '', executable: 'ros2', label: 'ros2 topic list', kind: 'command', arguments: ['topic', 'list'] };
   assert.deepEqual(readSite({ ...site, nodes: [command] }).nodes[0], {
-    ...command, environment: {}, output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
+    ...command,
+    environment: {},
+    output: 'screen',
+    respawn: false,
+    respawnDelay: 0,
+    startAfter: 0,
+    shutdownOnExit: false,
   });
 });
 
@@ -208,7 +235,7 @@ const broken: readonly [string, unknown, RegExp][] = [
 
 for (const [what, value, message] of broken) {
   test(`site.json with ${what} is refused`, () => {
-    assert.throws(() => readSite(value), (error: Error & { code?: string }) => error.code === 'R2W0700' && message.test(error.message));
+    assert.throws(() => readSite(value), (error: Error & { code?: string; }) => error.code === 'R2W0700' && message.test(error.message));
   });
 }
 

@@ -35,13 +35,16 @@ function imagesOf(described: SiteDescription, platform: Platform, share: string)
 }
 
 /** A place whose workers answer with `makes`; they are counted. */
-function place(makes: 'image' | 'nothing' | 'failure' | 'silence', kept?: KeptBytes): { platform: Platform; begun: string[][]; ended: () => number } {
+function place(makes: 'image' | 'nothing' | 'failure' | 'silence', kept?: KeptBytes): { platform: Platform; begun: string[][]; ended: () => number; } {
   const begun: string[][] = [];
   let ended = 0;
   const platform = {
-    place: '/site', kept, compile: async () => ({}) as WebAssembly.Module, bytes: async () => new ArrayBuffer(1),
-    startWorker: (_name: string, events: { report: (report: WorkerReport) => void; failed: (why: string) => void }) => ({
-      post: (order: { t: string; start: { archives: string[] } }) => {
+    place: '/site',
+    kept,
+    compile: async () => ({}) as WebAssembly.Module,
+    bytes: async () => new ArrayBuffer(1),
+    startWorker: (_name: string, events: { report: (report: WorkerReport) => void; failed: (why: string) => void; }) => ({
+      post: (order: { t: string; start: { archives: string[]; }; }) => {
         if (order.t === 'python') return;
         begun.push(order.start.archives);
         queueMicrotask(() => {
@@ -61,7 +64,7 @@ async function holds(condition: () => boolean): Promise<void> {
   while (!condition()) await new Promise((resolve) => setTimeout(resolve, 10));
 }
 
-function memory(): KeptBytes & { readonly found: Map<string, Blob> } {
+function memory(): KeptBytes & { readonly found: Map<string, Blob>; } {
   const found = new Map<string, Blob>();
   return {
     found,
@@ -130,24 +133,25 @@ test('two boot by themselves at once; when both wait one is made for the next vi
   assert.equal(next.begun.length, 0);
 });
 
-test('there is none that nobody keeps for a single node, none of files without hashes is kept, and nodes without archives in common have none', watchdog, async () => {
-  const single = [node('a', ['channels.zip'])];
-  const nobody = place('image');
-  const images = imagesOf(site(single), nobody.platform, '');
-  for (let i = 0; i < 2; i += 1) {
-    assert.equal(await images.take(single[0] as SiteNode, {}), undefined);
-    images.settled(single[0] as SiteNode);
-  }
-  assert.deepEqual(nobody.begun, []);
-  const kept = memory();
-  const unlisted = imagesOf(site(three, paths.slice(1)), place('image', kept).platform, '');
-  for (const one of await Promise.all(three.map((each) => unlisted.take(each, {})))) assert.notEqual(one, undefined);
-  await new Promise(setImmediate);
-  assert.equal(kept.found.size, 0);
-  const apart = [node('a', ['x.zip']), node('b', ['y.zip'])];
-  const none = imagesOf(site(apart), place('image').platform, '');
-  for (const each of apart) assert.equal(await none.take(each, {}), undefined);
-});
+test('there is none that nobody keeps for a single node, none of files without hashes is kept, and nodes without archives in common have none', watchdog,
+  async () => {
+    const single = [node('a', ['channels.zip'])];
+    const nobody = place('image');
+    const images = imagesOf(site(single), nobody.platform, '');
+    for (let i = 0; i < 2; i += 1) {
+      assert.equal(await images.take(single[0] as SiteNode, {}), undefined);
+      images.settled(single[0] as SiteNode);
+    }
+    assert.deepEqual(nobody.begun, []);
+    const kept = memory();
+    const unlisted = imagesOf(site(three, paths.slice(1)), place('image', kept).platform, '');
+    for (const one of await Promise.all(three.map((each) => unlisted.take(each, {})))) assert.notEqual(one, undefined);
+    await new Promise(setImmediate);
+    assert.equal(kept.found.size, 0);
+    const apart = [node('a', ['x.zip']), node('b', ['y.zip'])];
+    const none = imagesOf(site(apart), place('image').platform, '');
+    for (const each of apart) assert.equal(await none.take(each, {}), undefined);
+  });
 
 test('where none can be made, nodes begin by themselves', watchdog, async () => {
   for (const makes of ['nothing', 'failure'] as const) {

@@ -17,7 +17,7 @@ function library(...needed: readonly string[]): Uint8Array {
 
 async function interpreter(files: Readonly<Record<string, Uint8Array>>): Promise<PyodideInterface> {
   const python = await loadPyodide();
-  const system = python['FS'] as { mkdirTree(path: string): void; writeFile(path: string, bytes: Uint8Array): void };
+  const system = python['FS'] as { mkdirTree(path: string): void; writeFile(path: string, bytes: Uint8Array): void; };
   system.mkdirTree('/ros/lib');
   for (const [name, bytes] of Object.entries(files)) system.writeFile(`/ros/lib/${name}`, bytes);
   return python;
@@ -31,7 +31,7 @@ test('each is known by its name to those that need it', async () => {
 test('one that is cut, or needs what is not there, is told with its name', async () => {
   const python = await interpreter({ 'libcut.so': library('libteeth.so').subarray(0, 14), 'libgear.so': library('libteeth.so') });
   for (const name of ['libcut.so', 'libgear.so']) {
-    await assert.rejects(loadLibraries(python, [`lib/${name}`], '/ros'), (error: { readonly code: string; readonly message: string }) => {
+    await assert.rejects(loadLibraries(python, [`lib/${name}`], '/ros'), (error: { readonly code: string; readonly message: string; }) => {
       assert.equal(error.code, 'R2W0728');
       assert.ok(error.message.startsWith(`the library lib/${name} cannot be loaded: `), error.message);
       return true;

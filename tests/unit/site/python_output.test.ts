@@ -69,6 +69,5 @@ test('of a file that nobody has taken the newest is kept, and each bag', () => {
   const add = (path: string, size: number): void => files.add({ node: 'a', path, content: new Blob([new Uint8Array(size)]) });
   for (const size of [8, 9]) add('/home/user/log.csv', size);
   for (const size of [0, 1]) add('/home/user/x.mcap', size);
-  assert.deepEqual(files.take().map(({ path, content }) => `${path} ${content.size}`),
-    ['/home/user/log.csv 9', '/home/user/x.mcap 0', '/home/user/x.mcap 1']);
+  assert.deepEqual(files.take().map(({ path, content }) => `${path} ${content.size}`), ['/home/user/log.csv 9', '/home/user/x.mcap 0', '/home/user/x.mcap 1']);
 });

@@ -31,7 +31,7 @@ test('a full stack is not taken for a lack of memory', () => {
     caught = error;
   }
   assert.deepEqual(failure(caught), { kind: 'crash', code: 'R2W0701', message: 'the stack is full: too deep a recursion?' });
-  assert.equal((failure(new RangeError('could not allocate memory')) as { code: string }).code, 'R2W0710');
+  assert.equal((failure(new RangeError('could not allocate memory')) as { code: string; }).code, 'R2W0710');
   assert.deepEqual(failure('gone'), { kind: 'crash', code: 'R2W0701', message: 'gone' });
 });
 
@@ -42,7 +42,8 @@ test('a share file that cannot be read is an error, not zeros, and is tried agai
     files: { prefix: '/opt/ros/jazzy', place: '', files: [['share/late.txt', 3], ['share/short.txt', 3]] },
     readNow: (_place, path) => site.get(path),
   });
-  const read = (path: string): unknown => python.runPython(`
+  const read = (path: string): unknown =>
+    python.runPython(`
 try:
     found = open('/opt/ros/jazzy/share/${path}', 'rb').read().decode()
 except OSError as error:
@@ -62,7 +63,9 @@ test('a look takes a message only of the reader that is expected, alone, with th
   const seen = (ready: readonly number[], statuses: number, length: number): readonly unknown[] => {
     const taken: number[][] = [];
     const link = {
-      wakeToken: () => 7, ready: () => ready, statusVersion: () => statuses,
+      wakeToken: () => 7,
+      ready: () => ready,
+      statusVersion: () => statuses,
       take: (endpoint: number, _heap: unknown, ...places: number[]) => {
         taken.push([endpoint, ...places]);
         return length;
@@ -85,32 +88,57 @@ test('a look takes a message only of the reader that is expected, alone, with th
 });
 
 /** Runs a script on a link to nobody, which suspends. `listed`: what the archive must be. */
-async function runScript(script: string, listed: readonly SiteFile[] = []): Promise<{ readonly end: ProgramEnd; readonly lines: readonly string[] }> {
+async function runScript(script: string, listed: readonly SiteFile[] = []): Promise<{ readonly end: ProgramEnd; readonly lines: readonly string[]; }> {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-python-'));
   try {
     mkdirSync(join(folder, 'lib'));
     writeFileSync(join(folder, 'lib/script'), script);
     execFileSync('python3', [
-      join(root, 'tests/support/make_archive.py'), join(folder, 'all.zip'), `${join(folder, 'lib')}=lib/test`,
+      join(root, 'tests/support/make_archive.py'),
+      join(folder, 'all.zip'),
+      `${join(folder, 'lib')}=lib/test`,
       ...['rclpy', 'ros2wasm'].map((name) => `${join(root, 'runtime/packages/client/rclpy', name)}=lib/python3.12/site-packages/${name}`),
     ]);
     const lines: string[] = [];
     const clock = {
-      systemNs: () => Date.now() * 1e6, steadyNs: () => performance.now() * 1e6, lawVersion: () => 0,
+      systemNs: () => Date.now() * 1e6,
+      steadyNs: () => performance.now() * 1e6,
+      lawVersion: () => 0,
       realMsUntil: (steadyNs: number) => Math.max(0, steadyNs / 1e6 - performance.now()),
     };
     const waits = new PortWaits(clock as never);
     const link = {
-      kind: 'port', clock, wakeToken: () => waits.token, wake: () => waits.wake(), stopRequested: () => waits.stops > 0,
-      wait: (token: number, ms: number) => waits.wait(token, ms), sleep: (ms: number) => waits.sleep(ms),
+      kind: 'port',
+      clock,
+      wakeToken: () => waits.token,
+      wake: () => waits.wake(),
+      stopRequested: () => waits.stops > 0,
+      wait: (token: number, ms: number) => waits.wait(token, ms),
+      sleep: (ms: number) => waits.sleep(ms),
     };
     const host = {
-      link, arguments: ['script'], environment: {}, line: (_: string, text: string) => lines.push(text), idle: () => undefined,
-      files: { prefix: '/opt/ros/jazzy', place: '', files: [] }, readNow: () => undefined, random: undefined, sent: undefined,
-      stepped: false, input: {},
+      link,
+      arguments: ['script'],
+      environment: {},
+      line: (_: string, text: string) => lines.push(text),
+      idle: () => undefined,
+      files: { prefix: '/opt/ros/jazzy', place: '', files: [] },
+      readNow: () => undefined,
+      random: undefined,
+      sent: undefined,
+      stepped: false,
+      input: {},
     } as unknown as ProgramHost;
     const module = await WebAssembly.compile(readFileSync(`${pyodide}pyodide.asm.wasm`));
-    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script', image: undefined, sources: undefined, parts: { found: new Map(), listed } };
+    const start = {
+      base: `${folder}/`,
+      home: '',
+      archives: ['all.zip'],
+      entry: 'lib/test/script',
+      image: undefined,
+      sources: undefined,
+      parts: { found: new Map(), listed },
+    };
     const end = await runPython(module, start, host, {
       pyodide: async () => (options) => loadPyodide({ ...options, indexURL: pyodide }),
       bytes: async (place) => Uint8Array.from(readFileSync(place)),
@@ -143,20 +171,25 @@ print('nobody goes on')
   assert.deepEqual(lines.slice(0, 1), ['falls']);
   assert.ok(!lines.includes('nobody goes on'));
   assert.equal(end.kind, 'crash');
-  assert.match((end as { message: string }).message, /out of bounds/);
+  assert.match((end as { message: string; }).message, /out of bounds/);
 });
 
 test('an archive that the worker has to fetch itself is the one that was packed, or is not run', watchdog, async () => {
   const { end, lines } = await runScript("print('runs')", [{ path: 'all.zip', size: 1, sha256: '0'.repeat(64), reason: '' }]);
   assert.deepEqual(lines, []);
-  assert.equal((end as { code: unknown }).code, 'R2W0724');
+  assert.equal((end as { code: unknown; }).code, 'R2W0724');
 });
 
 // Compatibility, differs: `time.tzname`, and `%Z` of local times -> the distance of the zone, as `('+01', '+02')`; browsers know no letters of zones, Debian's `tzdata` does (`zoneinfo`)
 test("a zone's name is as the time zone database has it for those without letters", watchdog, async () => {
   const before = process.env['TZ'];
   try {
-    for (const [zone, told] of [['UTC', "('UTC', 'UTC') 0 0"], ['America/Sao_Paulo', "('-03', '-03') 10800 0"], ['Europe/Berlin', "('+01', '+02') -3600 1"], ['Asia/Kolkata', "('+0530', '+0530') -19800 0"]] as const) {
+    for (
+      const [zone, told] of [['UTC', "('UTC', 'UTC') 0 0"], ['America/Sao_Paulo', "('-03', '-03') 10800 0"], ['Europe/Berlin', "('+01', '+02') -3600 1"], [
+        'Asia/Kolkata',
+        "('+0530', '+0530') -19800 0",
+      ]] as const
+    ) {
       process.env['TZ'] = zone;
       const { lines } = await runScript('import time\nprint(time.tzname, time.timezone, time.daylight)');
       assert.deepEqual(lines, [told]);

@@ -5,9 +5,9 @@ import { test } from 'node:test';
 import type { PyCallable } from 'pyodide/ffi';
 import { Interrupts, interrupt, sliceMs, sliceSignal, threadFunctions } from '../../../runtime/site/python/python_threads.ts';
 
-type Functions = Readonly<Record<'unpark' | 'park', (ident: number) => void>> & { readonly begin_thread: (begin: PyCallable) => void };
+type Functions = Readonly<Record<'unpark' | 'park', (ident: number) => void>> & { readonly begin_thread: (begin: PyCallable) => void; };
 
-function program(stops = () => 0): { interrupts: Interrupts; functions: Functions } {
+function program(stops = () => 0): { interrupts: Interrupts; functions: Functions; } {
   const interrupts = new Interrupts(stops, true);
   const functions = threadFunctions(interrupts, () => {
     interrupts.suspended = true;
@@ -28,7 +28,7 @@ test('a thread that has had its slice is interrupted', async () => {
   assert.equal(interrupts[0], sliceSignal);
 });
 
-test('between a thread that lets another one go on, and that one, nobody is interrupted: Pyodide\'s own code runs then', async () => {
+test("between a thread that lets another one go on, and that one, nobody is interrupted: Pyodide's own code runs then", async () => {
   const callable = { copy: () => callable, callPromising: async () => undefined, destroy: () => undefined } as unknown as PyCallable;
   for (const goOn of [(functions: Functions) => functions.unpark(1), (functions: Functions) => functions.begin_thread(callable)]) {
     const { interrupts, functions } = program();

@@ -21,11 +21,12 @@ interface Begun {
 }
 
 /** In a browser, as something is kept. `wrong`: a file that is not the one that was packed. */
-function place(wrong?: string): { readonly workers: PythonWorkers; readonly begun: Begun[]; readonly asked: string[] } {
+function place(wrong?: string): { readonly workers: PythonWorkers; readonly begun: Begun[]; readonly asked: string[]; } {
   const begun: Begun[] = [];
   const asked: string[] = [];
   const platform = {
-    place: 'https://host/site/', kept: {},
+    place: 'https://host/site/',
+    kept: {},
     bytes: async (path: string) => {
       asked.push(path);
       if (path === wrong) throw new SiteError('R2W0724', path);

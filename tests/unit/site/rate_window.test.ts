@@ -7,7 +7,7 @@ import { RateWindow } from '../../../runtime/site/contract/rate_window.ts';
 const lookMs = 250;
 
 /** Looks at a topic that publishes every `periodMs` from 0 until `untilMs`; returns the rates seen, by time. */
-function watch(periodMs: number, untilMs: number, endMs = untilMs): { readonly now: number; readonly hz: number }[] {
+function watch(periodMs: number, untilMs: number, endMs = untilMs): { readonly now: number; readonly hz: number; }[] {
   const window = new RateWindow();
   const seen = [];
   for (let now = 0; now <= endMs; now += lookMs) {

@@ -140,7 +140,7 @@ class Program {
   readonly link: SharedLink;
   private readonly broker: SharedBroker;
   private readonly node: number;
-  private readonly heap: { readonly u8: Uint8Array; readonly i32: Int32Array };
+  private readonly heap: { readonly u8: Uint8Array; readonly i32: Int32Array; };
 
   constructor(broker: SharedBroker) {
     this.broker = broker;
@@ -183,7 +183,7 @@ for (const how of ['exits', 'destroys its publisher and exits', 'is killed'] as 
     program.write(publisher, 4, 5);
     const brief = program.publisher('/brief');
     program.write(brief, 9);
-    if (how.startsWith('destroys')) for (const each of [publisher, brief]) program.link.endpointDestroy(each);
+    if (how.startsWith('destroys')) { for (const each of [publisher, brief]) program.link.endpointDestroy(each); }
     if (how !== 'is killed') program.link.close();
     program.ends(sampler, now += 1);
     for (let looks = 0; looks < 3; looks += 1) {
@@ -220,7 +220,13 @@ test('on message ports, too, all that a program published counts when it exits',
   assert.ok(ticket.kind === 'port');
   const link = new PortLink(ticket);
   const publisher = link.endpointCreate({
-    kind: EndpointKind.publisher, node: link.nodeCreate('n', '/'), name: '/topic', type: 't', hash: '', qos: defaultQos, flags: 0,
+    kind: EndpointKind.publisher,
+    node: link.nodeCreate('n', '/'),
+    name: '/topic',
+    type: 't',
+    hash: '',
+    qos: defaultQos,
+    flags: 0,
   });
   const endpoints = async (count: number): Promise<void> => {
     while (page.graph().endpoints.length !== count) await page.wait(page.wakeToken(), 1000);

@@ -57,7 +57,7 @@ class Stage {
       keys: async () => [...this.cache.keys()].map((url) => ({ url })),
       delete: async (url: string) => this.cache.delete(url),
     };
-    const host = async (asked: string | { readonly url: string }, options: RequestInit = {}): Promise<Response> => {
+    const host = async (asked: string | { readonly url: string; }, options: RequestInit = {}): Promise<Response> => {
       if (!this.online) throw new TypeError('no network');
       const url = typeof asked === 'string' ? asked : asked.url;
       assert.ok(url.startsWith(scope), url);
@@ -90,10 +90,14 @@ class Stage {
     const { promise, resolve, reject } = Promise.withResolvers<Asked>();
     this.listeners.get('fetch')?.({
       request: { url: scope + path, method: 'GET', mode: opens ? 'navigate' : 'cors', cache: 'default' },
-      clientId: opens ? '' : client, resultingClientId: opens ? client : '', waitUntil: () => undefined,
-      respondWith: (answer: Promise<Response>) => void answer.then(
-        async (response) => resolve({ text: await response.text(), headers: response.headers }), reject,
-      ),
+      clientId: opens ? '' : client,
+      resultingClientId: opens ? client : '',
+      waitUntil: () => undefined,
+      respondWith: (answer: Promise<Response>) =>
+        void answer.then(
+          async (response) => resolve({ text: await response.text(), headers: response.headers }),
+          reject,
+        ),
     });
     return promise;
   }
@@ -158,9 +162,14 @@ function plantSite(stage: Stage): void {
 
 // Guarantee, hostile input: cookies with which a page of the origin makes the host refuse a neighbour's site.json, and a full disk, do not make the service worker believe a planted list
 test('a host that answers with an error, or breaks the connection, is a network', async () => {
-  for (const refuses of [
-    { cookies: 431, plain: 200 }, { cookies: 0, plain: 200 }, { cookies: 431, plain: 431 }, { cookies: 503, plain: 0 },
-  ]) {
+  for (
+    const refuses of [
+      { cookies: 431, plain: 200 },
+      { cookies: 0, plain: 200 },
+      { cookies: 431, plain: 431 },
+      { cookies: 503, plain: 0 },
+    ]
+  ) {
     const stage = new Stage();
     stage.publish({ 'index.html': 'the page', 'a.js': 'a1' });
     plantSite(stage);

@@ -35,7 +35,9 @@ for (const link of ['shared', 'port'] as const) {
   test(`${link}: talker and listener; topics, rates and the last message; stop`, watchdog, () =>
     withSession([{ program: 'talker.c' }, { program: 'listener.c' }], async (session) => {
       assert.equal(session.link, link);
-      assert.deepEqual(session.nodes().map(({ state }) => state.kind), ['stopped', 'stopped']);
+      assert.deepEqual(session.nodes().map(({ state }) =>
+        state.kind
+      ), ['stopped', 'stopped']);
       session.startAll();
       await prints(session, 'listener-2', /I heard: \[Hello World: \d+\] after 1/);
       session.onTopics(() => undefined);
@@ -93,15 +95,17 @@ for (const link of ['shared', 'port'] as const) {
       session.stop('spins-3');
       session.stop('spins-3');
       await session.settled;
-      assert.deepEqual(session.nodes().map(({ state }) => state.kind), ['running', 'crashed', 'exited']);
+      assert.deepEqual(session.nodes().map(({ state }) =>
+        state.kind
+      ), ['running', 'crashed', 'exited']);
     }, link));
 
   test(`${link}: arguments, environment and standard input; the exit code`, watchdog, () =>
     withSession([{ program: 'echo.c', arguments: ['--ros-args', '-r', 'a:=b'] }], async (session) => {
       session.startAll();
       await prints(session, 'echo-1', /^COLOUR=red$/);
-      assert.deepEqual(session.console('echo-1').lines().slice(0, 4).map(({ text }) => text),
-        ['argument 0: echo', 'argument 1: --ros-args', 'argument 2: -r', 'argument 3: a:=b']);
+      assert.deepEqual(session.console('echo-1').lines().slice(0, 4).map(({ text }) => text), ['argument 0: echo', 'argument 1: --ros-args', 'argument 2: -r',
+        'argument 3: a:=b']);
       // A question is there before its answer, though it ends no line.
       await prints(session, 'echo-1', /^what\? $/);
       session.sendInput('echo-1', 'grüezi\n');
@@ -126,7 +130,8 @@ for (const link of ['shared', 'port'] as const) {
       session.interrupt('echo-2');
       session.interrupt('echo-1');
       await reaches(session, 'echo-1', 'exited');
-      const signs = (id: string): number => session.console(id).lines().filter(({ text }) => text === '^C').length;
+      const signs = (id: string): number =>
+        session.console(id).lines().filter(({ text }) => text === '^C').length;
       assert.deepEqual([signs('echo-1'), signs('echo-2')], [1, 0]);
 
       session.start('echo-1');
@@ -155,18 +160,23 @@ for (const link of ['shared', 'port'] as const) {
       session.startAll();
       await prints(session, 'echo-1', /^argument 1: --first$/);
       const heard: string[] = [];
-      const run = (...given: string[]): Promise<NodeState> => new Promise((ended) => {
-        const id = session.run({
-          package: session.site.nodes[0]!.package, executable: 'echo', arguments: given,
-          onLines: (lines) => {
-            heard.push(...lines.map(({ text }) => text));
-            if (lines.some(({ text }) => text.startsWith('argument 0'))) session.sendInput(id, 'quit\n');
-          },
-          onEnd: ended,
+      const run = (...given: string[]): Promise<NodeState> =>
+        new Promise((ended) => {
+          const id = session.run({
+            package: session.site.nodes[0]!.package,
+            executable: 'echo',
+            arguments: given,
+            onLines: (lines) => {
+              heard.push(...lines.map(({ text }) =>
+                text
+              ));
+              if (lines.some(({ text }) => text.startsWith('argument 0'))) session.sendInput(id, 'quit\n');
+            },
+            onEnd: ended,
+          });
+          assert.equal(id, 'echo-2');
+          assert.deepEqual(session.nodes().map((node) => node.id), ['echo-1', 'echo-2']);
         });
-        assert.equal(id, 'echo-2');
-        assert.deepEqual(session.nodes().map((node) => node.id), ['echo-1', 'echo-2']);
-      });
       assert.deepEqual(await run('--second', 'x'), { kind: 'exited', code: 7 });
       assert.deepEqual(heard.slice(0, 3), ['argument 0: echo', 'argument 1: --second', 'argument 2: x']);
       assert.deepEqual(session.nodes().map((node) => node.id), ['echo-1']);
@@ -174,7 +184,8 @@ for (const link of ['shared', 'port'] as const) {
       assert.ok(session.console('echo-2').lines().length > 0);
       assert.deepEqual(await run(), { kind: 'exited', code: 7 });
       assert.equal(session.nodes()[0]?.state.kind, 'running');
-      assert.throws(() => session.run({ package: 'p', executable: 'none', arguments: [], onLines: () => undefined, onEnd: () => undefined }), /no program p\/none/);
+      assert.throws(() => session.run({ package: 'p', executable: 'none', arguments: [], onLines: () => undefined, onEnd: () => undefined }),
+        /no program p\/none/);
     }, link));
 
   // Guarantee, hostile input: a program that traps, throws, aborts or imports unknown functions ends with an error code in its console; the other nodes go on
@@ -212,7 +223,9 @@ for (const link of ['shared', 'port'] as const) {
         assert.match(aborted.kind === 'crashed' ? aborted.message : '', /^abort\(\) was called \(SIGABRT, exit code 134\)\n {2}at /);
       }
       assert.deepEqual(session.console('aborts-6').lines().map(({ text }) => text), [
-        "terminate called after throwing an instance of 'std::runtime_error'", '  what():  the brake is stuck']);
+        "terminate called after throwing an instance of 'std::runtime_error'",
+        '  what():  the brake is stuck',
+      ]);
     }, link));
 }
 
@@ -229,12 +242,13 @@ test('a trap names the functions from the file of names; without it, their numbe
   }
 });
 
-test('threads throw and catch at once; joined and detached ones end', watchdog, () =>
-  withSession([{ program: 'threads.cpp', threads: true }], async (session) => {
-    session.startAll();
-    assert.deepEqual((await reaches(session, 'threads-1', 'exited')).state, { kind: 'exited', code: 0 });
-    assert.deepEqual(session.console('threads-1').lines().map(({ text }) => text), ['async ok', '4000']);
-  }));
+test('threads throw and catch at once; joined and detached ones end', watchdog,
+  () =>
+    withSession([{ program: 'threads.cpp', threads: true }], async (session) => {
+      session.startAll();
+      assert.deepEqual((await reaches(session, 'threads-1', 'exited')).state, { kind: 'exited', code: 0 });
+      assert.deepEqual(session.console('threads-1').lines().map(({ text }) => text), ['async ok', '4000']);
+    }));
 
 test('a thread that exits or throws ends the program', watchdog, () =>
   withSession([
@@ -336,8 +350,7 @@ test('a node that is stopped before it starts does not end by itself: no rule is
     session.stop('echo-2');
     // Longer than the least pause before a respawn.
     await new Promise((resolve) => setTimeout(resolve, 500));
-    assert.deepEqual(session.nodes().map(({ state }) => state),
-      [{ kind: 'exited', code: 137 }, { kind: 'exited', code: 137 }, { kind: 'running' }]);
+    assert.deepEqual(session.nodes().map(({ state }) => state), [{ kind: 'exited', code: 137 }, { kind: 'exited', code: 137 }, { kind: 'running' }]);
   }));
 
 test('a node that waits starts when another has started, or has ended by itself', watchdog, () =>
@@ -382,30 +395,32 @@ test('while some nodes run, starting all starts the others, and what the launch 
     assert.deepEqual([kinds(), said()], [['starting', 'waiting', 'waiting'], 2]);
   }, 'shared', { launch: { steps: [{ do: 'log', level: 'info', text: 'it begins' }] } }));
 
-test('a managed node that is stopped gives up the transitions that were to be made', watchdog, () =>
-  withSession([{ program: 'spins.c' }, { program: 'spins.c' }], async (session) => {
-    session.startAll();
-    await reaches(session, 'spins-1', 'running');
-    session.stop('spins-1');
-    session.stop('spins-1');
-    await prints(session, 'launch', /^\[WARN\] \[launch\]: `\/a` ended before its transitions were made$/);
-  }, 'shared', { launch: { steps: [{ do: 'transition', node: 'spins-1', name: '/a', transitions: [1] }] } }));
+test('a managed node that is stopped gives up the transitions that were to be made', watchdog,
+  () =>
+    withSession([{ program: 'spins.c' }, { program: 'spins.c' }], async (session) => {
+      session.startAll();
+      await reaches(session, 'spins-1', 'running');
+      session.stop('spins-1');
+      session.stop('spins-1');
+      await prints(session, 'launch', /^\[WARN\] \[launch\]: `\/a` ended before its transitions were made$/);
+    }, 'shared', { launch: { steps: [{ do: 'transition', node: 'spins-1', name: '/a', transitions: [1] }] } }));
 
 // Guarantee, hostile input: a program in an endless loop is ended by Stop, and can be started again
-test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog, () =>
-  withSession([{ program: 'spins.c' }], async (session) => {
-    session.startAll();
-    await prints(session, 'spins-1', /^spinning$/);
-    session.stop('spins-1');
-    assert.equal(session.nodes()[0]?.state.kind, 'running');
-    session.stop('spins-1');
-    assert.deepEqual(session.nodes()[0]?.state, { kind: 'exited', code: 137 });
-    session.start('spins-1');
-    await reaches(session, 'spins-1', 'running');
-    session.restart('spins-1');
-    session.stop('spins-1');
-    await reaches(session, 'spins-1', 'running');
-  }));
+test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog,
+  () =>
+    withSession([{ program: 'spins.c' }], async (session) => {
+      session.startAll();
+      await prints(session, 'spins-1', /^spinning$/);
+      session.stop('spins-1');
+      assert.equal(session.nodes()[0]?.state.kind, 'running');
+      session.stop('spins-1');
+      assert.deepEqual(session.nodes()[0]?.state, { kind: 'exited', code: 137 });
+      session.start('spins-1');
+      await reaches(session, 'spins-1', 'running');
+      session.restart('spins-1');
+      session.stop('spins-1');
+      await reaches(session, 'spins-1', 'running');
+    }));
 
 // Guarantee, hostile input: a program that takes all the memory that it can have meets an end of it, and the others go on
 test('a program that takes all memory', watchdog, () =>

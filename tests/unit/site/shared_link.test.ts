@@ -2,9 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import {
-  BusPhase, Durability, EndpointKind, ErrorCode, History, StatusKind,
-} from '../../../runtime/protocol/generated/constants.ts';
+import { BusPhase, Durability, EndpointKind, ErrorCode, History, StatusKind } from '../../../runtime/protocol/generated/constants.ts';
 import { SharedBroker } from '../../../runtime/site/bus/broker.ts';
 import type { BusOptions } from '../../../runtime/site/bus/bus.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/site/contract/qos.ts';
@@ -18,7 +16,7 @@ const keepAll = { history: History.keepAll };
 class Participant {
   readonly link: SharedLink;
   readonly index: number;
-  readonly heap: { readonly u8: Uint8Array; readonly i32: Int32Array };
+  readonly heap: { readonly u8: Uint8Array; readonly i32: Int32Array; };
   private readonly node: number;
 
   constructor(broker: SharedBroker) {
@@ -31,7 +29,13 @@ class Participant {
 
   make(kind: number, qos: Partial<EndpointQos> = {}, type = 't'): number {
     return this.link.endpointCreate({
-      kind, node: this.node, name: '/x', type, hash: '', flags: 0, qos: { ...defaultQos, ...qos },
+      kind,
+      node: this.node,
+      name: '/x',
+      type,
+      hash: '',
+      flags: 0,
+      qos: { ...defaultQos, ...qos },
     });
   }
 

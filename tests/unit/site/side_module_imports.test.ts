@@ -11,7 +11,7 @@ const MODULES = resolve(import.meta.dirname, '../../../node_modules');
 const BLOCK = 512;
 
 /** The files of a tar archive with that ending. */
-function* filesIn(archive: Buffer, ending: string): Iterable<{ readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> }> {
+function* filesIn(archive: Buffer, ending: string): Iterable<{ readonly name: string; readonly bytes: Uint8Array<ArrayBuffer>; }> {
   const text = (at: number, length: number): string => archive.toString('utf8', at, at + length).replace(/\0.*$/s, '');
   for (let at = 0; at + BLOCK <= archive.length && archive[at] !== 0;) {
     const size = Number.parseInt(text(at + 124, 12), 8) || 0;

@@ -18,14 +18,22 @@ function imports(asked: string[]) {
   };
   const given: (readonly [string, Uint8Array])[] = [];
   const gate = new OutputGate({ home: '/home/user/', now: () => 0, refused: () => undefined });
-  const { file_list: list, file_read: read, file_give: give, file_closed: closed } =
-    fileImports(files, answer, () => memory, (...file) => given.push(file), gate);
+  const { file_list: list, file_read: read, file_give: give, file_closed: closed } = fileImports(files, answer, () => memory, (...file) => given.push(file),
+    gate);
   const call = (path: string, size: number): number => {
     const bytes = memory.encode(path);
     memory.u8.set(bytes, 0);
     return (read as (...args: number[]) => number)(0, bytes.length, 1000, size);
   };
-  return { memory, given, gate, closed: closed as (...args: number[]) => number, give: give as (...args: number[]) => void, list: list as (buffer: number, capacity: number) => number, read: call };
+  return {
+    memory,
+    given,
+    gate,
+    closed: closed as (...args: number[]) => number,
+    give: give as (...args: number[]) => void,
+    list: list as (buffer: number, capacity: number) => number,
+    read: call,
+  };
 }
 
 test('the list is written where it fits, else its size is told', () => {
@@ -73,7 +81,9 @@ test('a file that a program closes is taken now and then, and at the end', () =>
 test('files that programs have written are kept until they are taken, and not without end', () => {
   const written = new WrittenFiles(5);
   let told = 0;
-  const stop = written.onChange(() => { told += 1; });
+  const stop = written.onChange(() => {
+    told += 1;
+  });
   const add = (path: string, size: number): void => written.add({ node: 'recorder-1', path, content: new Blob([new Uint8Array(size)]) });
   const taken = (): string[] => written.take().map(({ path }) => path);
   add('a', 2);

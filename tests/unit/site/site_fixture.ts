@@ -25,14 +25,14 @@ export interface FixtureNode {
 }
 
 /** A module without its custom sections, and a module that has its "name" section only. */
-export function splitNames(module: Uint8Array): { readonly program: Uint8Array; readonly names: Uint8Array } {
+export function splitNames(module: Uint8Array): { readonly program: Uint8Array; readonly names: Uint8Array; } {
   const header = module.subarray(0, 8);
   const program = [header];
   const names = [header];
   for (let at = 8; at < module.length;) {
     let end = at + 1;
     let size = 0;
-    for (let shift = 0; ; shift += 7) {
+    for (let shift = 0;; shift += 7) {
       const byte = module[end++] ?? 0;
       size += (byte & 127) << shift;
       if (byte < 128) break;
@@ -60,15 +60,37 @@ export function makeFolder(nodes: readonly FixtureNode[], more: Readonly<Record<
       copyFileSync(built, join(folder, 'programs', `${name}.wasm`));
     }
     return {
-      id: `${name}-${i + 1}`, package: 'test', executable: name, label: `/${name}`, kind: 'cpp', threads, respawn,
-      program: `programs/${name}.wasm`, ...(namesApart === true ? { names: `programs/${name}.names` } : {}), arguments: args, environment: { COLOUR: 'red' }, output: 'screen',
-      source: { file: 'workspace.yaml', line: 3 + i, column: 5 }, ...rules,
+      id: `${name}-${i + 1}`,
+      package: 'test',
+      executable: name,
+      label: `/${name}`,
+      kind: 'cpp',
+      threads,
+      respawn,
+      program: `programs/${name}.wasm`,
+      ...(namesApart === true ? { names: `programs/${name}.names` } : {}),
+      arguments: args,
+      environment: { COLOUR: 'red' },
+      output: 'screen',
+      source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
+      ...rules,
     };
   });
   writeFileSync(join(folder, 'interfaces.json'), '{"std_msgs/msg/String": "string data\\n"}');
   writeFileSync(join(folder, 'site.json'), JSON.stringify({
-    schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
-    license: 'Apache-2.0', authors: [], nodes: described, interfaces: 'interfaces.json', ui: {}, files: [],
+    schema: 1,
+    protocol: 1,
+    generator: 'test',
+    name: 'test',
+    title: 'A test',
+    version: '1',
+    distro: 'jazzy',
+    license: 'Apache-2.0',
+    authors: [],
+    nodes: described,
+    interfaces: 'interfaces.json',
+    ui: {},
+    files: [],
     ...more,
   }));
   return folder;
@@ -79,8 +101,11 @@ export function makeFolder(nodes: readonly FixtureNode[], more: Readonly<Record<
  * `commands`: what runs those of `ros2`.
  */
 export async function withSession(
-  nodes: readonly FixtureNode[], use: (session: SiteSession, folder: string, posted: readonly WorkerOrder[]) => Promise<void>,
-  link: LinkKind = 'shared', more: Readonly<Record<string, unknown>> = {}, commands?: CommandLoader,
+  nodes: readonly FixtureNode[],
+  use: (session: SiteSession, folder: string, posted: readonly WorkerOrder[]) => Promise<void>,
+  link: LinkKind = 'shared',
+  more: Readonly<Record<string, unknown>> = {},
+  commands?: CommandLoader,
 ): Promise<void> {
   const folder = makeFolder(nodes, more);
   const posted: WorkerOrder[] = [];

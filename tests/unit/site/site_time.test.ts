@@ -64,7 +64,9 @@ test('the end of a step is told whenever it comes', async () => {
     const broker = { link: { clock }, setTime: () => undefined } as unknown as PortBroker;
     const time = new SiteTimeControl(broker, () => undefined);
     const over = new Promise<void>((resolve) => {
-      time.onChange(({ state }) => { if (state === 'paused') resolve(); });
+      time.onChange(({ state }) => {
+        if (state === 'paused') resolve();
+      });
     });
     time.step(length);
     await over;

@@ -24,7 +24,7 @@ test('in a stepped run timers of the page ring at their times, as far as time is
   assert.deepEqual(rung, [1000, 2000, 3000]);
   const late = page.client('/nowhere', 'demo/srv/Add').call(Uint8Array.of(0, 1, 0, 0), { timeoutMs: 60_000 });
   let code = '';
-  void late.catch((error: { readonly code: string }) => {
+  void late.catch((error: { readonly code: string; }) => {
     code = error.code;
   });
   time.step(59e9);

@@ -30,7 +30,7 @@ function archiveOf(files: Readonly<Record<string, string | Uint8Array>>): Uint8A
 }
 
 /** A browser's storage. `full`: it takes nothing. */
-function storage(kept = new Map<string, string>(), full = false): KeptTexts & { other(): void; listening(): number } {
+function storage(kept = new Map<string, string>(), full = false): KeptTexts & { other(): void; listening(): number; } {
   const own = new Map<string, string | undefined>();
   const listeners = new Set<() => void>();
   return {
@@ -51,7 +51,10 @@ function storage(kept = new Map<string, string>(), full = false): KeptTexts & { 
 }
 
 const files: Record<string, string | Uint8Array> = {
-  'a.py': 'print("ä")\n', 'b.py': '\ufeffb\r\n', 'latin.py': Uint8Array.of(0x23, 0xe4, 0x0a), 'other.py': 'as it was',
+  'a.py': 'print("ä")\n',
+  'b.py': '\ufeffb\r\n',
+  'latin.py': Uint8Array.of(0x23, 0xe4, 0x0a),
+  'other.py': 'as it was',
 };
 const archive = archiveOf({ ...files, 'other.py': 'as it is' });
 const described = {
@@ -64,8 +67,7 @@ test('the packed text is that of site.json, byte for byte', async () => {
   const sources = sourcesWith(storage());
   assert.equal(await sources.packed('lib/a.py'), files['a.py']);
   assert.equal(await sources.packed('lib/b.py'), files['b.py']);
-  const code = (path: string, wanted: string) =>
-    assert.rejects(sources.packed(path), (error) => error instanceof SiteError && error.code === wanted);
+  const code = (path: string, wanted: string) => assert.rejects(sources.packed(path), (error) => error instanceof SiteError && error.code === wanted);
   await code('lib/latin.py', 'R2W0726');
   await code('lib/other.py', 'R2W0724');
   await code('lib/gone.py', 'R2W0724');
@@ -119,7 +121,10 @@ test('what cannot be kept lasts for the visit; what is too long is not taken', (
 // Guarantee, hostile input: what is in the browser's storage for changed sources, and broken archives of sources
 test('what others left in the storage is not a change', () => {
   const hash = hashOf(files['a.py'] ?? '');
-  for (const raw of ['', 'x', 'null', '[]', '{"of":1,"text":"x"}', `{"of":"${hash}","text":1}`, `{"of":"${hash}"}`, JSON.stringify({ of: hash, text: 'x'.repeat(mostOfFile + 1) })]) {
+  for (
+    const raw of ['', 'x', 'null', '[]', '{"of":1,"text":"x"}', `{"of":"${hash}","text":1}`, `{"of":"${hash}"}`,
+      JSON.stringify({ of: hash, text: 'x'.repeat(mostOfFile + 1) })]
+  ) {
     const sources = sourcesWith(storage(new Map([['lib/a.py', raw]])));
     assert.equal(sources.list()[0]?.state, 'packed', raw.slice(0, 40));
     assert.equal(sources.forStart().changed.size, 0);

@@ -47,7 +47,7 @@ function roundTrip(near: Side, far: Side, together: boolean): number {
   return time;
 }
 
-function play(near: Side, far: Side, together: boolean, exchanges: number): { median: number; mean: number } {
+function play(near: Side, far: Side, together: boolean, exchanges: number): { median: number; mean: number; } {
   const times = Array.from({ length: exchanges }, () => roundTrip(near, far, together));
   const mean = times.reduce((sum, each) => sum + each, 0) / exchanges;
   return { median: times.sort((a, b) => a - b)[exchanges >> 1] ?? Number.NaN, mean };

@@ -42,34 +42,47 @@ test('R2W0707: a site with more nodes than the bus has places', watchdog, async 
   while (broker.admit() !== undefined) places += 1;
   assert.ok(places >= 100, `${places} places`);
   assert.deepEqual(await endOf(broker), {
-    kind: 'crashed', code: 'R2W0707', message: 'the site has more nodes than the bus has places',
+    kind: 'crashed',
+    code: 'R2W0707',
+    message: 'the site has more nodes than the bus has places',
   });
 });
 
 test('R2W0708: a worker whose script breaks', watchdog, async () => {
   assert.deepEqual(await endOf(new SharedBroker({ ceiling: 64 << 20 }), "throw new Error('the script broke');"), {
-    kind: 'crashed', code: 'R2W0708', message: 'the script broke',
+    kind: 'crashed',
+    code: 'R2W0708',
+    message: 'the script broke',
   });
 });
 
-for (const [name, sent] of [
-  ['nothing', 'null'], ['lines without lines', "{ t: 'lines' }"], ['an end without an end', "{ t: 'end' }"],
-  ['what another kind of worker reports', "{ t: 'launch', answer: 1 }"],
-  ['a thread of a program that a link without threads runs', "{ t: 'memory', memory: { memory: new WebAssembly.Memory({ initial: 1, maximum: 1, shared: true }), waits: 0 } }"],
-] as const) {
+for (
+  const [name, sent] of [
+    ['nothing', 'null'],
+    ['lines without lines', "{ t: 'lines' }"],
+    ['an end without an end', "{ t: 'end' }"],
+    ['what another kind of worker reports', "{ t: 'launch', answer: 1 }"],
+    ['a thread of a program that a link without threads runs',
+      "{ t: 'memory', memory: { memory: new WebAssembly.Memory({ initial: 1, maximum: 1, shared: true }), waits: 0 } }"],
+  ] as const
+) {
   // Guarantee, hostile input: what a program sends to the page in its worker's place ends that node (R2W0727), and no other one
   test(`R2W0727: a worker that sends ${name}`, watchdog, async () => {
     const forge = "import { parentPort } from 'node:worker_threads';\nconst send = parentPort.postMessage.bind(parentPort);\n"
       + `parentPort.postMessage = (report) => { send(report); if (report.t === 'running') send(${sent}); };`;
     assert.deepEqual(await endOf(new PortBroker(), forge), {
-      kind: 'crashed', code: 'R2W0727', message: 'the program sends the page what is not a report of a node',
+      kind: 'crashed',
+      code: 'R2W0727',
+      message: 'the program sends the page what is not a report of a node',
     });
   });
 }
 
 test('R2W0705: neither shared memory nor an engine that suspends', watchdog, async () => {
   assert.deepEqual(await endOf(new PortBroker(), 'delete WebAssembly.Suspending;'), {
-    kind: 'crashed', code: 'R2W0705', message: 'this browser can neither share memory with this page nor suspend a program',
+    kind: 'crashed',
+    code: 'R2W0705',
+    message: 'this browser can neither share memory with this page nor suspend a program',
   });
 });
 
@@ -85,7 +98,9 @@ test('a node that is restarted while it starts runs', watchdog, async () => {
     },
   };
   const session = new SiteSession({
-    site: readSite(await real.json('site.json')), platform, broker: new SharedBroker({ ceiling: 64 << 20 }),
+    site: readSite(await real.json('site.json')),
+    platform,
+    broker: new SharedBroker({ ceiling: 64 << 20 }),
   });
   try {
     session.startAll();
@@ -108,6 +123,8 @@ test('R2W0710: a program for which there is no memory', watchdog, async () => {
     throw new RangeError('WebAssembly.Instance(): Out of memory: Cannot allocate Wasm memory for new instance');
   };`;
   assert.deepEqual(await endOf(new SharedBroker({ ceiling: 64 << 20 }), full), {
-    kind: 'crashed', code: 'R2W0710', message: 'there is no memory for one more program',
+    kind: 'crashed',
+    code: 'R2W0710',
+    message: 'there is no memory for one more program',
   });
 });

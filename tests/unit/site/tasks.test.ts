@@ -15,9 +15,15 @@ const watchdog = { timeout: 240_000 };
 const hi = Uint8Array.of(0, 1, 0, 0, 3, 0, 0, 0, 104, 105, 0);
 
 const tasks = [
-  { title: 'Listen', text: 'To **it**.', hint: 'Wait.', checks: [
-    { kind: 'rate', topic: '/chatter' }, { kind: 'state', node: 'talker-1', state: 'running' },
-  ] },
+  {
+    title: 'Listen',
+    text: 'To **it**.',
+    hint: 'Wait.',
+    checks: [
+      { kind: 'rate', topic: '/chatter' },
+      { kind: 'state', node: 'talker-1', state: 'running' },
+    ],
+  },
   { title: 'Speak', solution: '`ros2`', checks: [{ kind: 'message', topic: '/student', field: 'data', equals: 'hi', title: 'You are heard' }] },
 ];
 
@@ -44,7 +50,8 @@ for (const link of ['shared', 'port'] as const) {
       session.useTasks(run);
       const acting = actingSession(session);
       session.startAll();
-      await until(run, ([listen]) => listen?.checks.every(({ state }) => state === 'already') === true);
+      await until(run, ([listen]) =>
+        listen?.checks.every(({ state }) => state === 'already') === true);
       assert.deepEqual(states(run), [['already', 'already'], ['open']]);
       assert.deepEqual(run.views().map(({ done }) => done), [false, false]);
       // Looking is not an act.
@@ -78,7 +85,10 @@ test('each act on the site counts, and what goes on unattended does not', watchd
   withSession([{ program: 'talker.c' }], async (session) => {
     const count = { acts: 0 };
     session.useTasks({
-      views: () => [], begun: () => count.acts > 0, onChange: () => () => undefined, close: () => undefined,
+      views: () => [],
+      begun: () => count.acts > 0,
+      onChange: () => () => undefined,
+      close: () => undefined,
       acted: () => {
         count.acts += 1;
       },
@@ -92,9 +102,15 @@ test('each act on the site counts, and what goes on unattended does not', watchd
     for (const name of ['start', 'restart', 'interrupt', 'stop'] as const) assert.equal(counts(() => acting[name]('talker-1')), 1, name);
     for (const name of ['startAll', 'restartAll', 'stopAll'] as const) assert.equal(counts(() => acting[name]()), 1, name);
     assert.equal(counts(() => acting.sendInput('talker-1', 'x\n')), 1);
-    assert.equal(counts(() => acting.run({
-      package: 'test', executable: 'talker', arguments: [], onLines: () => undefined, onEnd: () => undefined,
-    })), 1);
+    assert.equal(counts(() =>
+      acting.run({
+        package: 'test',
+        executable: 'talker',
+        arguments: [],
+        onLines: () => undefined,
+        onEnd: () => undefined,
+      })
+    ), 1);
     const client = acting.node().client('/s', 'std_srvs/srv/Empty');
     assert.equal(counts(() => client.call(new Uint8Array(4), { timeoutMs: 1 }).catch(() => undefined)), 1);
     const goals = acting.node().actionClient('/a', 'example_interfaces/action/Fibonacci');
@@ -113,7 +129,12 @@ test('each act on the site counts, and what goes on unattended does not', watchd
 
 test('site.json: a task has checks of known nodes and a title', () => {
   const site = (change: object): unknown => ({
-    schema: 1, protocol: 1, name: 'a', nodes: [], files: [], ui: {},
+    schema: 1,
+    protocol: 1,
+    name: 'a',
+    nodes: [],
+    files: [],
+    ui: {},
     tasks: [{ title: 'Listen', checks: [{ kind: 'rate', topic: '/a' }], ...change }],
   });
   assert.deepEqual(readSite(site({})).tasks, [

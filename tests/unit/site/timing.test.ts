@@ -20,8 +20,16 @@ const never = Infinity;
 
 function record(kind: EndpointKind, qos: Partial<EndpointQos>, key = 1): EndpointRecord {
   return {
-    key, participant: 1, nodeKey: 1, kind, name: '/a', type: 'p/msg/T', hash: '', qos: { ...defaultQos, ...qos },
-    flags: 0, gid: new Int32Array(4),
+    key,
+    participant: 1,
+    nodeKey: 1,
+    kind,
+    name: '/a',
+    type: 'p/msg/T',
+    hash: '',
+    qos: { ...defaultQos, ...qos },
+    flags: 0,
+    gid: new Int32Array(4),
   };
 }
 

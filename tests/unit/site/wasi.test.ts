@@ -26,7 +26,11 @@ async function told(asked: readonly Kind[], arrival: Arrival, slept: WaitResult,
     if (kind === 'clock') memory.setI64(48 * i + 24, 1_000_000n);
   });
   const wasi = wasiImports({
-    memory: () => memory, arguments: [], environment: {}, clock: new SiteClock(), random: () => undefined,
+    memory: () => memory,
+    arguments: [],
+    environment: {},
+    clock: new SiteClock(),
+    random: () => undefined,
     write: () => undefined,
     leave: () => assert.fail(),
     input: { read: () => assert.fail(), arrives: () => later ? Promise.resolve(arrival) : arrival },

@@ -10,7 +10,7 @@ import { htmlInOtherWords, htmlSentences, inOtherWords, sentencesOf } from '../.
 import { languageOf, otherTexts } from '../../../runtime/other_texts.ts';
 import { sentencesIn, wordsIn } from '../../tools/page_texts.ts';
 
-const kRoot = fileURLToPath(new URL('../../..', import.meta.url));
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 
 test('words in content and in attributes that are read are found, wherever they come from', () => {
   const told = (body: string): readonly string[] => wordsIn(`export const C = (props) => ${body};`);
@@ -26,14 +26,17 @@ test('words in content and in attributes that are read are found, wherever they 
 
 test('sentences are found wherever they stand, but not in bugs and names', () => {
   assert.deepEqual(sentencesIn("export const f = (n) => n > 3 ? `there are ${n} too many of them` : 'no such node';"), [' too many of them', 'no such node']);
-  assert.deepEqual(sentencesIn("throw new TypeError('a graph has one direction'); const keys = ['Min Color Value', 'button drive-button drive-at', 'page embedded'];"), []);
+  assert.deepEqual(
+    sentencesIn("throw new TypeError('a graph has one direction'); const keys = ['Min Color Value', 'button drive-button drive-at', 'page embedded'];"),
+    [],
+  );
 });
 
 test('a folder of another language takes the place of the texts that it has', async () => {
   const folder = join(mkdtempSync(join(tmpdir(), 'ros2wasm-texts-')), 'de');
   mkdirSync(folder);
   try {
-    const type = (path: string): string => JSON.stringify(join(kRoot, 'runtime/site/ui', path));
+    const type = (path: string): string => JSON.stringify(join(ROOT, 'runtime/site/ui', path));
     writeFileSync(join(folder, 'texts_embed.ts'), `import type { embedTexts as english } from ${type('texts_embed.ts')};
 import type { Translation } from ${type('translation.ts')};
 export const embedTexts: Translation<typeof english> = {
@@ -44,9 +47,13 @@ export const embedTexts: Translation<typeof english> = {
       const { outputFiles } = await build({
         stdin: {
           contents: "export { embedTexts } from './texts_embed.ts'; export { texts } from './texts.ts';",
-          resolveDir: join(kRoot, 'runtime/site/ui'),
+          resolveDir: join(ROOT, 'runtime/site/ui'),
         },
-        bundle: true, write: false, format: 'esm', charset: 'utf8', plugins: plugins ?? [],
+        bundle: true,
+        write: false,
+        format: 'esm',
+        charset: 'utf8',
+        plugins: plugins ?? [],
       });
       return outputFiles?.[0]?.text ?? '';
     };
@@ -72,12 +79,22 @@ export const f = (name: string, n: number): unknown =>
 export const bug = (): never => { throw new TypeError('this is for us'); };
 `);
     assert.deepEqual(sentencesOf(file), [
-      'nobody knows why', 'the node `{1}` has {2} too many', '{1} things', 'one thing', 'so it is', 'not a word of it',
+      'nobody knows why',
+      'the node `{1}` has {2} too many',
+      '{1} things',
+      'one thing',
+      'so it is',
+      'not a word of it',
     ]);
     const other = inOtherWords(file, {
-      'the node `{1}` has {2} too many': '{2} zu viel hat `{1}` für $5', '{1} things': '{1} Dinge', 'nobody knows why': 'warum, ${weiß} \\ keiner', 'one thing': '',
+      'the node `{1}` has {2} too many': '{2} zu viel hat `{1}` für $5',
+      '{1} things': '{1} Dinge',
+      'nobody knows why': 'warum, ${weiß} \\ keiner',
+      'one thing': '',
     }) ?? assert.fail();
-    const { f } = await import(`data:text/javascript,${encodeURIComponent(other)}`) as { f: (name: string, n: number) => readonly { readonly what?: string }[] };
+    const { f } = await import(`data:text/javascript,${encodeURIComponent(other)}`) as {
+      f: (name: string, n: number) => readonly { readonly what?: string; }[];
+    };
     assert.deepEqual(f('a', 2).map((one) => ({ ...one })), [
       { kind: 'it stays as it is', reason: 'warum, ${weiß} \\ keiner' },
       { what: '2 Dinge zu viel hat `a` für $5', more: { why: ['so it is', 'a'], place: 'not a word of it' } },

@@ -6,7 +6,7 @@ import { bibtex } from '../../../runtime/site/ui/model/citation.ts';
 import { FakeSession } from './fake_session.ts';
 
 const require = createRequire(import.meta.url);
-const { Cite } = require('@citation-js/core') as { Cite: new (text: string) => { data: readonly Record<string, unknown>[] } };
+const { Cite } = require('@citation-js/core') as { Cite: new(text: string) => { data: readonly Record<string, unknown>[]; }; };
 require('@citation-js/plugin-bibtex');
 
 const site = {
@@ -26,7 +26,7 @@ test('an entry is read back with its authors, title and date, whatever character
   const cited = new Cite(entry ?? '').data[0] ?? {};
   assert.equal(String(cited['title']).replace(/<[^>]*>/g, ''), site.title);
   assert.deepEqual(cited['author'], [{ given: 'Jo', family: 'Doe' }, { family: 'Bread and Butter' }]);
-  assert.deepEqual((cited['issued'] as { 'date-parts': unknown })['date-parts'], [[2026, 2]]);
+  assert.deepEqual((cited['issued'] as { 'date-parts': unknown; })['date-parts'], [[2026, 2]]);
   assert.equal(cited['DOI'], '10.5281/zenodo.1_2');
   assert.match(String(cited['note']), /^sha256 of site\.json: (ab){32}$/);
 });

@@ -3,12 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { ConsoleLine } from '../../../runtime/site/contract/session.ts';
 import { parseAnsi, stripAnsi, styleClasses } from '../../../runtime/site/ui/model/ansi.ts';
-import {
-  displayLine,
-  kMaxShown,
-  parseLogParts,
-  rowsOf,
-} from '../../../runtime/site/ui/model/log_line.ts';
+import { displayLine, MAX_SHOWN, parseLogParts, rowsOf } from '../../../runtime/site/ui/model/log_line.ts';
 import { afterSnapshot } from '../../../runtime/site/ui/model/line_feed.ts';
 import { GrowingList } from '../../../runtime/site/ui/model/growing_list.ts';
 import { LineList } from '../../../runtime/site/ui/model/line_list.ts';
@@ -20,8 +15,7 @@ const line = (text: string, extra: Partial<ConsoleLine> = {}): ConsoleLine => ({
   text,
   ...extra,
 });
-const log = (level: string, message: string): ConsoleLine =>
-  line(`[${level}] [1700000000.123456789] [talker]: ${message}`);
+const log = (level: string, message: string): ConsoleLine => line(`[${level}] [1700000000.123456789] [talker]: ${message}`);
 
 test('plain text is one span and untouched', () => {
   assert.deepEqual(
@@ -45,8 +39,7 @@ test('colours and weights of SGR sequences', () => {
 });
 
 test('256 and true colours become the nearest of the sixteen', () => {
-  const classes = (text: string): string =>
-    styleClasses(parseAnsi(text)[0]?.style ?? assert.fail());
+  const classes = (text: string): string => styleClasses(parseAnsi(text)[0]?.style ?? assert.fail());
   assert.equal(classes('\x1b[38;5;196mx'), 'ansi-fg-9');
   assert.equal(classes('\x1b[38;2;0;205;0mx'), 'ansi-fg-2');
   assert.equal(classes('\x1b[48;5;4mx'), 'ansi-bg-4');
@@ -93,13 +86,15 @@ test('the default log format is taken apart and only that', () => {
       message: "Publishing: 'Hello'",
     },
   );
-  for (const other of [
-    '[INFO] hello',
-    'INFO [1.2] [a]: b',
-    '[INFO] [1.2] [a] b',
-    '[TRACE] [1.2] [a]: b',
-    ' [INFO] [1.2] [a]: b',
-  ]) {
+  for (
+    const other of [
+      '[INFO] hello',
+      'INFO [1.2] [a]: b',
+      '[INFO] [1.2] [a] b',
+      '[TRACE] [1.2] [a]: b',
+      ' [INFO] [1.2] [a]: b',
+    ]
+  ) {
     assert.equal(parseLogParts(other), null, other);
   }
 });
@@ -115,7 +110,7 @@ test('a coloured log line keeps its own colours and still has its level', () => 
 test('carriage returns, tabs and very long lines', () => {
   assert.equal(displayLine(line('10%\r50%\r100%\r'), 0, '').plain, '100%');
   assert.equal(displayLine(line('a\tb'), 0, '').plain, 'a       b');
-  const long = displayLine(line('x'.repeat(kMaxShown + 10)), 0, '');
+  const long = displayLine(line('x'.repeat(MAX_SHOWN + 10)), 0, '');
   assert.ok(long.plain.endsWith('(10 more characters)'));
 });
 
@@ -229,9 +224,7 @@ test('a hundred thousand lines are appended and windowed quickly', () => {
   const before = process.cpuUsage();
   for (let batch = 0; batch < 1000; batch += 1) {
     list.append(
-      Array.from({ length: 100 }, (_, i) =>
-        log('INFO', `Publishing: 'Hello World: ${batch * 100 + i}'`),
-      ),
+      Array.from({ length: 100 }, (_, i) => log('INFO', `Publishing: 'Hello World: ${batch * 100 + i}'`)),
       '',
     );
     list.window(list.totalRows - 40, list.totalRows);

@@ -3,23 +3,27 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TopicView } from '../../../runtime/site/contract/session.ts';
 import { isWindow, windowsOf } from '../../../runtime/site/ui/model/cv_window_topics.ts';
-import { keyCode, kNoControls, mouseEvent, readControls } from '../../../runtime/site/ui/model/cv_windows.ts';
+import { keyCode, NO_CONTROLS, mouseEvent, readControls } from '../../../runtime/site/ui/model/cv_windows.ts';
 
 const topic = (name: string, type: string, publishers: number) => ({ name, type, publishers }) as TopicView;
 
 test('windows are images that a node publishes below /cv2', () => {
   assert.deepEqual(['/cv2/mask', '/cv2/My_mask', '/cv2', '/cv2/a/input', '/x/cv2/a', '/camera'].map(isWindow), [true, true, false, false, false, false]);
   const image = 'sensor_msgs/msg/Image';
-  assert.deepEqual(windowsOf([topic('/cv2/a', image, 1), topic('/cv2/b', image, 0), topic('/cv2/c', 'std_msgs/msg/String', 1), topic('/d', image, 1)]), ['/cv2/a']);
+  assert.deepEqual(windowsOf([topic('/cv2/a', image, 1), topic('/cv2/b', image, 0), topic('/cv2/c', 'std_msgs/msg/String', 1), topic('/d', image, 1)]), [
+    '/cv2/a',
+  ]);
 });
 
 test('controls are those that make sense, whoever has sent them', () => {
   const bars = [{ name: 'Hue', value: 30, count: 179 }];
   assert.deepEqual(readControls(JSON.stringify({ trackbars: bars, mouse: true })), { trackbars: bars, mouse: true });
   assert.deepEqual(readControls('{"trackbars": [{"name": "a", "value": 12, "count": 5}, {"count": "x"}, 7]}').trackbars, [
-    { name: 'a', value: 0, count: 5 }, { name: '', value: 0, count: 0 }, { name: '', value: 0, count: 0 },
+    { name: 'a', value: 0, count: 5 },
+    { name: '', value: 0, count: 0 },
+    { name: '', value: 0, count: 0 },
   ]);
-  for (const text of ['', '{', 'null', '[]', '{"trackbars": {"length": 3}, "mouse": 1}']) assert.deepEqual(readControls(text), kNoControls, text);
+  for (const text of ['', '{', 'null', '[]', '{"trackbars": {"length": 3}, "mouse": 1}']) assert.deepEqual(readControls(text), NO_CONTROLS, text);
   assert.equal(readControls(JSON.stringify({ trackbars: Array.from({ length: 1000 }, () => bars[0]) })).trackbars.length, 50);
 });
 

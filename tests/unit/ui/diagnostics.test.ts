@@ -20,7 +20,8 @@ test('what is no status does no harm', () => {
   const board = new Diagnostics();
   for (const message of [null, 7, {}, { status: 'x' }, { status: [null, 7, { name: 5, level: 'x', values: [null, { key: {} }] }] }]) board.add(message, 1);
   assert.deepEqual(words(board, 1), [' error error']);
-  board.add({ status: [{ name: '__proto__', level: 200, message: 'x'.repeat(10_000), values: Array.from({ length: 500 }, () => ({ key: 'k', value: 'v' })) }] }, 1);
+  board.add({ status: [{ name: '__proto__', level: 200, message: 'x'.repeat(10_000), values: Array.from({ length: 500 }, () => ({ key: 'k', value: 'v' })) }] },
+    1);
   const [, last] = board.rows(1);
   assert.equal(last?.told, 'error');
   assert.equal(last?.message.length, 2000);

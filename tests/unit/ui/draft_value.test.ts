@@ -48,6 +48,6 @@ test('what does not fit is refused with its place', async () => {
   assert.match(await failed('{y: 1}'), /^y: there is no such field/);
   assert.match(await failed('{list: [1, 300]}'), /^list\[1\]: /);
   assert.notEqual(await failed('{x: '), '');
-  assert.match((await draftBytes(codec, 'demo/msg/None', { view: 'yaml', text: '' }, 0) as { reason: string }).reason, /no definition/);
+  assert.match((await draftBytes(codec, 'demo/msg/None', { view: 'yaml', text: '' }, 0) as { reason: string; }).reason, /no definition/);
   assert.deepEqual(onto({ a: 1 }, { __proto__: null, b: 2 } as unknown as Record<string, unknown>), { a: 1, b: 2 });
 });

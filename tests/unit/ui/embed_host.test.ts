@@ -16,9 +16,9 @@ interface Answer {
   readonly id?: number;
   readonly ok?: boolean;
   readonly event?: string;
-  readonly error?: { readonly code: string };
-  readonly result?: { readonly subscription: number; readonly tasks?: unknown };
-  readonly state?: { readonly tasks: readonly { readonly done: boolean }[] };
+  readonly error?: { readonly code: string; };
+  readonly result?: { readonly subscription: number; readonly tasks?: unknown; };
+  readonly state?: { readonly tasks: readonly { readonly done: boolean; }[]; };
 }
 
 /** The page around: what it was told. */
@@ -75,7 +75,7 @@ test('a subscription that fails for want of the definitions leaves its place fre
 test('publishers that cannot be made take no place', watchdog, async () => {
   const session = newSession();
   const close = hostEmbedding(session, null);
-  const { open } = session.node() as unknown as { readonly open: ReadonlySet<unknown> };
+  const { open } = session.node() as unknown as { readonly open: ReadonlySet<unknown>; };
   for (let i = 0; i < 20; i += 1) {
     const { ok, error } = await ask({ do: 'publish', topic: `bad name ${i}`, type: 'std_msgs/msg/String', message: { data: 'x' } });
     assert.deepEqual([ok, error?.code], [false, 'R2W0715']);
@@ -100,7 +100,10 @@ test('the progress in tasks: of this visit for any page, of earlier ones for tho
   assert.deepEqual((await ask({ do: 'state' }, stranger)).result?.tasks, [now]);
   assert.equal((await ask({ do: 'tasks' }, stranger)).error?.code, 'R2W0751');
   assert.deepEqual((await ask({ do: 'tasks' })).result, [{
-    title, done: true, done_at: '2026-11-28T10:00:00Z', hint_at: '2026-11-28T09:00:00Z',
+    title,
+    done: true,
+    done_at: '2026-11-28T10:00:00Z',
+    hint_at: '2026-11-28T09:00:00Z',
     checks: [{ title: 'a rate', state: 'open', seen: '10 Hz' }],
   }]);
   await ask({ do: 'watch' });

@@ -35,7 +35,9 @@ test('of a link with more panels those that are asked for stay, with their state
   const { layout } = embedded('?embed=1&panel=plot', link);
   const text = writeLayout(layout ?? assert.fail());
   assert.deepEqual(text, {
-    column: [{ plot: { paths: ['/a.b'] } }, { plot: { paths: ['/c.d'] } }], sizes: [500, 500], shown: 'plot-2',
+    column: [{ plot: { paths: ['/a.b'] } }, { plot: { paths: ['/c.d'] } }],
+    sizes: [500, 500],
+    shown: 'plot-2',
   });
   const more = embedded('?embed=1&panel=graph,plot', '{"plot":{"paths":["/a.b"]}}');
   assert.deepEqual(

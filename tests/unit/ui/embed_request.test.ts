@@ -15,7 +15,9 @@ function refusal(data: unknown): string {
 }
 
 test('what is not for the page is left alone', () => {
-  for (const data of [null, 1, 'text', [], {}, { id: 1 }, { ros2wasm: 1 }, { ros2wasm: 1, id: {} }, { ros2wasm: 1, id: 'x'.repeat(65) }, { ros2wasm: 1, id: 1.5 }])
+  for (
+    const data of [null, 1, 'text', [], {}, { id: 1 }, { ros2wasm: 1 }, { ros2wasm: 1, id: {} }, { ros2wasm: 1, id: 'x'.repeat(65) }, { ros2wasm: 1, id: 1.5 }]
+  )
     assert.equal(readRequest(data), null);
 });
 
@@ -25,14 +27,24 @@ test('commands and their fields', () => {
   assert.deepEqual(readRequest(request({ do: 'start' }))?.order, { do: 'start', node: null });
   assert.deepEqual(readRequest(request({ do: 'stop', node: 'talker-1' }))?.order, { do: 'stop', node: 'talker-1' });
   assert.deepEqual(readRequest(request({ do: 'publish', topic: '/a', type: 'std_msgs/msg/String', message: { data: 'x' } }))?.order, {
-    do: 'publish', topic: '/a', type: 'std_msgs/msg/String', message: { data: 'x' },
+    do: 'publish',
+    topic: '/a',
+    type: 'std_msgs/msg/String',
+    message: { data: 'x' },
   });
   assert.deepEqual(readRequest(request({ do: 'subscribe', topic: '/a', rate: 1000 }))?.order, { do: 'subscribe', topic: '/a', rate: 30 });
   assert.deepEqual(readRequest(request({ do: 'call', service: '/a', type: 'std_srvs/srv/Empty', timeout_ms: -1 }))?.order, {
-    do: 'call', service: '/a', type: 'std_srvs/srv/Empty', request: {}, timeoutMs: 10_000,
+    do: 'call',
+    service: '/a',
+    type: 'std_srvs/srv/Empty',
+    request: {},
+    timeoutMs: 10_000,
   });
   assert.deepEqual(readRequest(request({ do: 'set_parameter', node: '/a', name: 'b', value: false }))?.order, {
-    do: 'set_parameter', node: '/a', name: 'b', value: false,
+    do: 'set_parameter',
+    node: '/a',
+    name: 'b',
+    value: false,
   });
 });
 
@@ -54,7 +66,18 @@ test('values that are too large, too deep, no plain data or none at all', () => 
   let wide: unknown = Array(100).fill(1);
   for (let i = 0; i < 6; i += 1) wide = Array(100).fill(wide);
   const hostile: readonly unknown[] = [
-    deep(9), ring, wide, new Array(4_000_000_000), 'x'.repeat(70_000), { ['k'.repeat(70_000)]: 1 }, NaN, 1n, new Map([[1, 2]]), new Date(), new Uint8Array(8), () => 1,
+    deep(9),
+    ring,
+    wide,
+    new Array(4_000_000_000),
+    'x'.repeat(70_000),
+    { ['k'.repeat(70_000)]: 1 },
+    NaN,
+    1n,
+    new Map([[1, 2]]),
+    new Date(),
+    new Uint8Array(8),
+    () => 1,
   ];
   for (const message of hostile)
     assert.match(refusal(request({ do: 'publish', topic: '/a', type: 'a/msg/B', message })), /R2W0750: the message is not a plain value/);

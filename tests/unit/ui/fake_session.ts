@@ -56,8 +56,11 @@ export class FakeChecks implements SiteChecks {
 
   again(at?: number): void {
     this.begun += 1;
-    this.set(this.shown.map((view, index) =>
-      at === undefined || at === index ? { title: view.title, withinMs: view.withinMs, state: 'waiting', seen: 'nothing' } : view));
+    this.set(
+      this.shown.map((view, index) =>
+        at === undefined || at === index ? { title: view.title, withinMs: view.withinMs, state: 'waiting', seen: 'nothing' } : view
+      ),
+    );
   }
 
   set(views: readonly CheckView[]): void {
@@ -329,7 +332,8 @@ export class FakeSession implements Session {
       checks: options.checks ?? [],
       tasks: options.tasks ?? [],
       launchSteps: options.launchSteps ?? [],
-      packages: [], interfaces: 'interfaces.json',
+      packages: [],
+      interfaces: 'interfaces.json',
       ...(options.notebook === undefined ? {} : { notebook: { file: options.notebook, program: 'pyodide/pyodide.asm.wasm', archives: [] } }),
       ui: options.ui ?? {},
       embed: options.embed ?? [],
@@ -484,9 +488,7 @@ export class FakeSession implements Session {
   }
 
   setState(id: string, state: NodeState): void {
-    this.views = this.views.map((node) =>
-      node.id === id ? { ...node, state, startedAt: Date.now() } : node,
-    );
+    this.views = this.views.map((node) => node.id === id ? { ...node, state, startedAt: Date.now() } : node);
     for (const listener of this.nodeListeners) listener(this.views);
   }
 

@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { frameRate, frameRows } from '../../../runtime/site/ui/model/frame_rows.ts';
 import { formatAge } from '../../../runtime/site/ui/model/quantities.ts';
-import { kIdentity } from '../../../runtime/site/ui/model/transform.ts';
+import { IDENTITY } from '../../../runtime/site/ui/model/transform.ts';
 import { TransformTree } from '../../../runtime/site/ui/model/transform_tree.ts';
 
 function treeOf(...pairs: readonly (readonly [parent: string, child: string])[]): TransformTree {
   const tree = new TransformTree();
-  for (const [parent, child] of pairs) tree.add(parent, child, kIdentity, 1, false);
+  for (const [parent, child] of pairs) tree.add(parent, child, IDENTITY, 1, false);
   return tree;
 }
 
@@ -37,8 +37,8 @@ test('a chain of thousands and names of objects are rows like others', () => {
 
 test('a rate is that of what is kept, until nothing comes', () => {
   const tree = new TransformTree();
-  for (let i = 0; i <= 20; i += 1) tree.add('map', 'odom', kIdentity, 100 + i / 10, false);
-  tree.add('odom', 'base', kIdentity, 100, true);
+  for (let i = 0; i <= 20; i += 1) tree.add('map', 'odom', IDENTITY, 100 + i / 10, false);
+  tree.add('odom', 'base', IDENTITY, 100, true);
   const [base, , odom] = tree.views();
   assert.ok(base !== undefined && odom !== undefined && odom.name === 'odom');
   assert.ok(Math.abs(frameRate(odom, 102.5) - 10) < 1e-9);

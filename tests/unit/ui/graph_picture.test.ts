@@ -11,8 +11,15 @@ import type { Arrangement } from '../../../runtime/site/ui/model/graph_places.ts
 import { arrowOf, nextOf, pathOf, readingOrder } from '../../../runtime/site/ui/model/graph_shapes.ts';
 import { fitted, showing, zoomed } from '../../../runtime/site/ui/model/camera.ts';
 
-const kQos = {
-  reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,
+const QOS = {
+  reliability: 'reliable',
+  durability: 'volatile',
+  history: 'keep_last',
+  depth: 10,
+  liveliness: 'automatic',
+  deadlineNs: 0,
+  lifespanNs: 0,
+  leaseNs: 0,
 } as const;
 
 interface Spec {
@@ -23,11 +30,17 @@ interface Spec {
 }
 
 function node(name: string, { pub = [], sub = [], serves = [], calls = [] }: Spec = {}): GraphNodeView {
-  const end = (of: string): GraphEndpointView => ({ name: of, type: 'a/msg/A', hash: '', qos: kQos, gid: '' });
+  const end = (of: string): GraphEndpointView => ({ name: of, type: 'a/msg/A', hash: '', qos: QOS, gid: '' });
   const action = (of: string): GraphActionView => ({ name: of, type: 'a/action/A' });
   return {
-    name, process: undefined, publishers: pub.map(end), subscriptions: sub.map(end), services: [], clients: [],
-    actionServers: serves.map(action), actionClients: calls.map(action),
+    name,
+    process: undefined,
+    publishers: pub.map(end),
+    subscriptions: sub.map(end),
+    services: [],
+    clients: [],
+    actionServers: serves.map(action),
+    actionClients: calls.map(action),
   };
 }
 
@@ -52,19 +65,27 @@ test('nodes, topics and actions are boxes; what is hidden is not', () => {
     'action /count > node /talker: /count',
   ]);
   assert.deepEqual(names(picture(pair, { hidden: true })), [
-    'node /_ros2wasm_page', 'node /listener', 'node /talker',
-    'topic /chat', 'topic /count/_action/feedback', 'topic /parameter_events', 'topic /rosout', 'action /count',
+    'node /_ros2wasm_page',
+    'node /listener',
+    'node /talker',
+    'topic /chat',
+    'topic /count/_action/feedback',
+    'topic /parameter_events',
+    'topic /rosout',
+    'action /count',
   ]);
 });
 
 test('services are shown when they are asked for, without those that every node has', () => {
-  const end = (name: string, type: string): GraphEndpointView => ({ name, type, hash: '', qos: kQos, gid: '' });
+  const end = (name: string, type: string): GraphEndpointView => ({ name, type, hash: '', qos: QOS, gid: '' });
   const nodes: readonly GraphNodeView[] = [
     { ...node('/asker'), clients: [end('/add', 'demo/srv/Add'), end('/gone', 'demo/srv/Add')] },
     {
       ...node('/adder'),
       services: [
-        end('/add', 'demo/srv/Add'), end('/_hidden', 'demo/srv/Add'), end('/adder/set_parameters', 'rcl_interfaces/srv/SetParameters'),
+        end('/add', 'demo/srv/Add'),
+        end('/_hidden', 'demo/srv/Add'),
+        end('/adder/set_parameters', 'rcl_interfaces/srv/SetParameters'),
       ],
     },
   ];
@@ -72,19 +93,25 @@ test('services are shown when they are asked for, without those that every node 
   const of = picture(nodes, { services: true });
   assert.deepEqual(names(of), ['node /asker', 'node /adder', 'service /add', 'service /gone']);
   assert.deepEqual(wires(of), [
-    'node /asker > service /add: /add', 'service /add > node /adder: /add', 'node /asker > service /gone: /gone',
+    'node /asker > service /add: /add',
+    'service /add > node /adder: /add',
+    'node /asker > service /gone: /gone',
   ]);
   assert.deepEqual(of.wires.map(({ kind, rateOf }) => `${kind} ${rateOf}`), Array(3).fill('service null'));
   const between = picture(nodes, { services: true, mode: 'nodes' });
   assert.deepEqual(wires(between), ['node /asker > node /adder: /add']);
   assert.deepEqual(between.wires[0]?.lines.map(({ kind }) => kind), ['service']);
   assert.deepEqual(names(picture(nodes, { services: true, hidden: true })).filter((name) => name.startsWith('service')), [
-    'service /_hidden', 'service /add', 'service /adder/set_parameters', 'service /gone',
+    'service /_hidden',
+    'service /add',
+    'service /adder/set_parameters',
+    'service /gone',
   ]);
 });
 
 test('between nodes only, one wire carries all topics from the one to the other', () => {
-  const nodes = [node('/a', { pub: ['/1', '/2', '/3', '/4', '/5'] }), node('/b', { sub: ['/5', '/4', '/3', '/2', '/1'], calls: ['/go'] }), node('/c', { serves: ['/go'] })];
+  const nodes = [node('/a', { pub: ['/1', '/2', '/3', '/4', '/5'] }), node('/b', { sub: ['/5', '/4', '/3', '/2', '/1'], calls: ['/go'] }),
+    node('/c', { serves: ['/go'] })];
   const of = picture(nodes, { mode: 'nodes' });
   assert.deepEqual(names(of), ['node /a', 'node /b', 'node /c']);
   assert.deepEqual(wires(of), ['node /a > node /b: /1 /2 /3 /4 /5', 'node /b > node /c: /go']);
@@ -100,8 +127,11 @@ test('a rate stands on the wire that all messages of the topic pass', () => {
 
 test('a namespace with two things or more is a group, within its outer ones', () => {
   const of = picture([
-    node('/fleet/one/laser', { pub: ['/fleet/one/scan'] }), node('/fleet/two/laser', { pub: ['/fleet/two/scan'] }), node('/alone/node'),
-    node('/deep/er/est/a'), node('/deep/er/est/b'),
+    node('/fleet/one/laser', { pub: ['/fleet/one/scan'] }),
+    node('/fleet/two/laser', { pub: ['/fleet/two/scan'] }),
+    node('/alone/node'),
+    node('/deep/er/est/a'),
+    node('/deep/er/est/b'),
   ]);
   assert.deepEqual(of.groups, [
     { id: '/fleet', label: '/fleet', parent: null },
@@ -110,8 +140,13 @@ test('a namespace with two things or more is a group, within its outer ones', ()
     { id: '/deep/er/est', label: '/deep/er/est', parent: null },
   ]);
   assert.deepEqual(of.boxes.map(({ label, group }) => [label, group]), [
-    ['laser', '/fleet/one'], ['laser', '/fleet/two'], ['/alone/node', null], ['a', '/deep/er/est'], ['b', '/deep/er/est'],
-    ['scan', '/fleet/one'], ['scan', '/fleet/two'],
+    ['laser', '/fleet/one'],
+    ['laser', '/fleet/two'],
+    ['/alone/node', null],
+    ['a', '/deep/er/est'],
+    ['b', '/deep/er/est'],
+    ['scan', '/fleet/one'],
+    ['scan', '/fleet/two'],
   ]);
   assert.deepEqual(picture([node('/a/b'), node('/a/c')], { groups: false }).groups, []);
 });
@@ -127,13 +162,13 @@ test('a filter keeps what has the text, and what that is connected with', () => 
 test('nodes of one name are each drawn, and hostile names are keys of nothing', () => {
   const of = picture([node('/a', { pub: ['/__proto__'] }), node('/a', { sub: ['/__proto__'] }), node('/constructor')], { hidden: true });
   assert.deepEqual(of.boxes.map(({ id }) => id), ['node /a', 'node /a 2', 'node /constructor', 'topic /__proto__']);
-  assert.equal(arrange(null, of, sizes(of), kWide).routes.size, 2);
+  assert.equal(arrange(null, of, sizes(of), WIDE).routes.size, 2);
   assert.equal(shortName('/a\u202eb\u0000c'), '/a\ufffdb\ufffdc');
   assert.equal([...shortName(`/${'x'.repeat(500)}`)].length, 39);
 });
 
-const kWide = { width: 1600, height: 300 };
-const kTall = { width: 300, height: 1600 };
+const WIDE = { width: 1600, height: 300 };
+const TALL = { width: 300, height: 1600 };
 
 function sizes(of: Picture): Sizes {
   return {
@@ -176,7 +211,7 @@ function fleet(count: number): readonly GraphNodeView[] {
 
 test('a graph is laid out tidily, in both directions and modes, and always the same', () => {
   for (const mode of ['topics', 'nodes'] as const) {
-    for (const view of [kWide, kTall]) {
+    for (const view of [WIDE, TALL]) {
       const of = picture(fleet(5), { mode });
       const made = arrange(null, of, sizes(of), view);
       expectTidy(of, made);
@@ -200,27 +235,27 @@ test('what dagre cannot lay out stands in columns, each group in its own', () =>
 
 test('a graph flows in the direction in which it is seen larger', () => {
   const of = picture(Array.from({ length: 6 }, (_, index) => node(`/n${index}`, { sub: [`/t${index}`], pub: [`/t${index + 1}`] })));
-  assert.equal(arrange(null, of, sizes(of), kWide).direction, 'right');
-  assert.equal(arrange(null, of, sizes(of), kTall).direction, 'down');
+  assert.equal(arrange(null, of, sizes(of), WIDE).direction, 'right');
+  assert.equal(arrange(null, of, sizes(of), TALL).direction, 'down');
 });
 
 test('what leaves and comes back moves nothing, nor does one thing more', () => {
   const before = picture(fleet(3));
-  const first = arrange(null, before, sizes(before), kWide);
+  const first = arrange(null, before, sizes(before), WIDE);
   const less = picture(fleet(3).filter(({ name }) => name !== '/r1/plan'));
-  const second = arrange(first, less, sizes(less), kWide);
+  const second = arrange(first, less, sizes(less), WIDE);
   expectTidy(less, second);
-  const third = arrange(second, before, sizes(before), kWide);
+  const third = arrange(second, before, sizes(before), WIDE);
   expectTidy(before, third);
   assert.deepEqual(third.places, first.places);
   assert.deepEqual(third.routes, first.routes);
   const more = picture([...fleet(3), node('/r1/log', { sub: ['/r1/scan', '/tf'], pub: ['/r1/odom'] }), node('/loop', { pub: ['/tf'], sub: ['/tf'] })]);
-  const fourth = arrange(third, more, sizes(more), kWide);
+  const fourth = arrange(third, more, sizes(more), WIDE);
   expectTidy(more, fourth);
   for (const { id } of before.boxes) assert.deepEqual(fourth.places.get(id), first.places.get(id), id);
   assert.equal(fourth.version, first.version);
   const other = picture(fleet(12));
-  const fifth = arrange(fourth, other, sizes(other), kWide);
+  const fifth = arrange(fourth, other, sizes(other), WIDE);
   expectTidy(other, fifth);
   assert.equal(fifth.version, first.version + 1);
 });

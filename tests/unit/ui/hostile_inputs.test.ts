@@ -56,16 +56,77 @@ function each(name: string, act: (chance: Chance) => unknown): void {
 }
 
 const markup = [
-  '<script>', '</script>', '<img src=x onerror=alert(1)>', '<svg onload=alert(1)>', '</svg>', '<a href="javascript:alert(1)">',
-  '<a href="java\nscript:alert(1)">', '<a href=" JaVaScRiPt:alert(1)">', '<a href="&#106;avascript:alert(1)">', '<a href="data:text/html,x">',
-  '<a href="https://elsewhere.example/">', '</a>', '<iframe srcdoc="<script>alert(1)</script>">', '<object data=x>', '<embed src=x>', '<base href="//x/">',
-  '<meta http-equiv=refresh content="0;url=//x">', '<link rel=stylesheet href=//x>', '<form action=//x>', '<input autofocus onfocus=alert(1)>',
-  '<div style="position:fixed;top:0">', '<div style="background:url(//x)">', '<div style="width:expression(alert(1))">',
-  '<div style="background:u\\72l(//x)">', '<div style="margin-left:-9999px">', '<div onclick=alert(1) class=page id=page>', '</div>', '<details open ontoggle=alert(1)>',
-  '<table>', '<tr>', '<td colspan=99999999>', '</table>', '<math><mtext><mglyph><style><img src=x onerror=alert(1)>', '<noscript><p title="</noscript><img src=x onerror=alert(1)>">',
-  '<!--', '-->', '<![CDATA[', '<?xml ?>', '<', '>', '"', "'", '`', '=', '/', '&lt;', '&#x3c;script&#x3e;', '\0', '\u2028', '\ud800', '<x-y z>', '<STYLE>*{}</STYLE>',
-  '<img src="data:image/svg+xml,<svg onload=alert(1)>">', '<img src="data:text/html,x">', '<img srcset="//x 2x" src=data:image/png;base64,AA==>', '$x$', '$$y$$',
-  '[a](javascript:alert(1))', '![a](//x "t")', '[a]: javascript:alert(1)', '`', '~~~', '# ', '* ', '> ', '|a|b|\n|-|-|\n', '\n', '\t', 'word ', '__proto__', '\\',
+  '<script>',
+  '</script>',
+  '<img src=x onerror=alert(1)>',
+  '<svg onload=alert(1)>',
+  '</svg>',
+  '<a href="javascript:alert(1)">',
+  '<a href="java\nscript:alert(1)">',
+  '<a href=" JaVaScRiPt:alert(1)">',
+  '<a href="&#106;avascript:alert(1)">',
+  '<a href="data:text/html,x">',
+  '<a href="https://elsewhere.example/">',
+  '</a>',
+  '<iframe srcdoc="<script>alert(1)</script>">',
+  '<object data=x>',
+  '<embed src=x>',
+  '<base href="//x/">',
+  '<meta http-equiv=refresh content="0;url=//x">',
+  '<link rel=stylesheet href=//x>',
+  '<form action=//x>',
+  '<input autofocus onfocus=alert(1)>',
+  '<div style="position:fixed;top:0">',
+  '<div style="background:url(//x)">',
+  '<div style="width:expression(alert(1))">',
+  '<div style="background:u\\72l(//x)">',
+  '<div style="margin-left:-9999px">',
+  '<div onclick=alert(1) class=page id=page>',
+  '</div>',
+  '<details open ontoggle=alert(1)>',
+  '<table>',
+  '<tr>',
+  '<td colspan=99999999>',
+  '</table>',
+  '<math><mtext><mglyph><style><img src=x onerror=alert(1)>',
+  '<noscript><p title="</noscript><img src=x onerror=alert(1)>">',
+  '<!--',
+  '-->',
+  '<![CDATA[',
+  '<?xml ?>',
+  '<',
+  '>',
+  '"',
+  "'",
+  '`',
+  '=',
+  '/',
+  '&lt;',
+  '&#x3c;script&#x3e;',
+  '\0',
+  '\u2028',
+  '\ud800',
+  '<x-y z>',
+  '<STYLE>*{}</STYLE>',
+  '<img src="data:image/svg+xml,<svg onload=alert(1)>">',
+  '<img src="data:text/html,x">',
+  '<img srcset="//x 2x" src=data:image/png;base64,AA==>',
+  '$x$',
+  '$$y$$',
+  '[a](javascript:alert(1))',
+  '![a](//x "t")',
+  '[a]: javascript:alert(1)',
+  '`',
+  '~~~',
+  '# ',
+  '* ',
+  '> ',
+  '|a|b|\n|-|-|\n',
+  '\n',
+  '\t',
+  'word ',
+  '__proto__',
+  '\\',
 ];
 
 function text(chance: Chance, most = 60): string {
@@ -107,8 +168,35 @@ function value(chance: Chance, depth = 0): unknown {
   const members = chance.below(6);
   if (kind === 2) return Array.from({ length: members }, () => value(chance, depth + 1));
   const names = [
-    'cells', 'cell_type', 'source', 'outputs', 'output_type', 'data', 'text/html', 'text/plain', 'image/png', 'image/svg+xml', 'metadata', 'id', 'execution_count', 'traceback',
-    'nbformat', 'nbformat_minor', 'ros2wasm', 'do', 'node', 'topic', 'type', 'message', 'request', 'value', 'name', 'length', 'toString', 'constructor', 'attachments',
+    'cells',
+    'cell_type',
+    'source',
+    'outputs',
+    'output_type',
+    'data',
+    'text/html',
+    'text/plain',
+    'image/png',
+    'image/svg+xml',
+    'metadata',
+    'id',
+    'execution_count',
+    'traceback',
+    'nbformat',
+    'nbformat_minor',
+    'ros2wasm',
+    'do',
+    'node',
+    'topic',
+    'type',
+    'message',
+    'request',
+    'value',
+    'name',
+    'length',
+    'toString',
+    'constructor',
+    'attachments',
   ];
   // JSON.parse makes a member of that name, which a literal does not.
   const made = chance.below(8) === 0 ? JSON.parse('{"__proto__": {"polluted": 1}}') as Record<string, unknown> : {};
@@ -152,7 +240,8 @@ function changed(bytes: Uint8Array, chance: Chance): Uint8Array<ArrayBuffer> {
 const asBytes = (made: string | Uint8Array): Uint8Array => typeof made === 'string' ? new TextEncoder().encode(made) : made;
 
 each('robot models', (chance) => {
-  const robot = '<robot name="r"><material name="m"><color rgba="1 0 0 1"/></material><link name="a"><visual><origin xyz="0 0 1" rpy="0 0 0"/><geometry><box size="1 2 3"/></geometry>'
+  const robot =
+    '<robot name="r"><material name="m"><color rgba="1 0 0 1"/></material><link name="a"><visual><origin xyz="0 0 1" rpy="0 0 0"/><geometry><box size="1 2 3"/></geometry>'
     + '<material name="m"/></visual></link><link name="b"/><joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/><limit lower="-1" upper="1"/><mimic joint="j"/></joint></robot>';
   const found = readUrdf(new TextDecoder().decode(changed(asBytes(robot), chance)));
   assert.ok(typeof found === 'string' || Array.isArray(found.links));
@@ -160,8 +249,11 @@ each('robot models', (chance) => {
 
 each('meshes', async (chance) => {
   const [kind, made] = chance.of([
-    ['stl', asciiStl()], ['stl', binaryStl()], ['obj', obj()],
-    ['gltf', gltf(`data:application/octet-stream;base64,${gltfNumbers().toString('base64')}`)], ['gltf', gltf('../../../../etc/passwd')],
+    ['stl', asciiStl()],
+    ['stl', binaryStl()],
+    ['obj', obj()],
+    ['gltf', gltf(`data:application/octet-stream;base64,${gltfNumbers().toString('base64')}`)],
+    ['gltf', gltf('../../../../etc/passwd')],
   ] as const);
   const asked: string[] = [];
   const files = {

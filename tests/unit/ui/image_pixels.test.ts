@@ -27,12 +27,14 @@ test('colours in their order', () => {
 });
 
 test('a square of four gives its colour', () => {
-  for (const [encoding, data] of [
-    ['bayer_rggb8', [200, 90, 110, 50]],
-    ['bayer_bggr8', [50, 90, 110, 200]],
-    ['bayer_gbrg8', [90, 50, 200, 110]],
-    ['bayer_grbg8', [90, 200, 50, 110]],
-  ] as const)
+  for (
+    const [encoding, data] of [
+      ['bayer_rggb8', [200, 90, 110, 50]],
+      ['bayer_bggr8', [50, 90, 110, 200]],
+      ['bayer_gbrg8', [90, 50, 200, 110]],
+      ['bayer_grbg8', [90, 200, 50, 110]],
+    ] as const
+  )
     assert.deepEqual(rgba(image(encoding, 2, 2, data)).slice(0, 4), [200, 100, 50, 255], encoding);
 });
 
@@ -44,7 +46,7 @@ test('depth is spread between the nearest and the farthest', () => {
   assert.equal(pixelWords(words, 1, 0), '768');
   assert.equal(pixelWords({ ...words, isBigEndian: true }, 1, 0), '3');
   assert.equal(pixelWords(image('32FC1', 4, 1, floats), 1, 0), '3');
-    assert.equal(pixelWords(words, 2, 0), '');
+  assert.equal(pixelWords(words, 2, 0), '');
 });
 
 test('16 bits of each colour, in both byte orders, and what they are called', () => {
@@ -113,17 +115,19 @@ test('a pixel in the words of its encoding', () => {
 });
 
 test('sizes that lie are told', () => {
-  for (const raw of [
-    image('rgb8', 0, 1, []),
-    image('rgb8', 2, 2, [1, 2, 3], 6),
-    image('rgb8', 2, 1, [1, 2, 3], 3),
-    image('rgb8', 4_000_000_000, 4_000_000_000, [1]),
-    image('rgb8', Number.NaN, 1, [1]),
-    image('32FC1', 2, 1, [0, 0, 0, 0], 4),
-    image('yuv_who_knows', 1, 1, [1]),
-    image('yuv422', 3, 1, [1, 2, 3, 4, 5, 6]),
-    image('rgb16', 2, 1, [1, 2, 3, 4, 5, 6], 6),
-    image('constructor', 1, 1, [1]),
-  ])
+  for (
+    const raw of [
+      image('rgb8', 0, 1, []),
+      image('rgb8', 2, 2, [1, 2, 3], 6),
+      image('rgb8', 2, 1, [1, 2, 3], 3),
+      image('rgb8', 4_000_000_000, 4_000_000_000, [1]),
+      image('rgb8', Number.NaN, 1, [1]),
+      image('32FC1', 2, 1, [0, 0, 0, 0], 4),
+      image('yuv_who_knows', 1, 1, [1]),
+      image('yuv422', 3, 1, [1, 2, 3, 4, 5, 6]),
+      image('rgb16', 2, 1, [1, 2, 3, 4, 5, 6], 6),
+      image('constructor', 1, 1, [1]),
+    ]
+  )
     assert.equal(typeof pixelsOf(raw), 'string');
 });

@@ -13,7 +13,12 @@ test('joints have their limits, zeros and those that they mimic', () => {
     <joint name="tip" type="prismatic"><limit upper="1"/><mimic joint="finger"/></joint>
     <joint name="wrong" type="revolute"><limit lower="2" upper="1"/></joint><joint type="revolute"/></robot>`) ?? assert.fail();
   assert.deepEqual(joints.map(({ name, least, most, zero }) => [name, least, most, zero]), [
-    ['turn', -1, 2, 0], ['up', 0.2, 0.6, 0.4], ['wheel', -Math.PI, Math.PI, 0], ['soft', -1.5, 1, 0], ['finger', 0, 1, 0], ['tip', 0, 1, 0],
+    ['turn', -1, 2, 0],
+    ['up', 0.2, 0.6, 0.4],
+    ['wheel', -Math.PI, Math.PI, 0],
+    ['soft', -1.5, 1, 0],
+    ['finger', 0, 1, 0],
+    ['tip', 0, 1, 0],
   ]);
   const rounded = (values: readonly number[]): readonly number[] => values.map((value) => Number(value.toFixed(6)) + 0);
   assert.deepEqual(rounded(jointPositions(joints, new Map())), [0, 0.4, 0, 0, -0.7, -0.7]);
@@ -24,7 +29,9 @@ test('what is not a robot has no joints, and mimics in a ring come to an end', (
   for (const wrong of ['', 'words', '<html/>', '<robot>', ' '.repeat(20_000_000)]) assert.equal(readJoints(wrong), null);
   const many = readJoints(`<robot>${Array.from({ length: 900 }, (_, i) => `<joint name="j${i}" type="continuous"/>`).join('')}</robot>`);
   assert.equal(many?.length, 500);
-  const ring = readJoints('<robot><joint name="a" type="continuous"><mimic joint="b"/></joint><joint name="b" type="continuous"><mimic joint="a" multiplier="1e300"/></joint></robot>');
+  const ring = readJoints(
+    '<robot><joint name="a" type="continuous"><mimic joint="b"/></joint><joint name="b" type="continuous"><mimic joint="a" multiplier="1e300"/></joint></robot>',
+  );
   assert.ok(jointPositions(ring ?? [], new Map([['a', 1]])).every(Number.isFinite));
 });
 

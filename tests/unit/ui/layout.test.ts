@@ -8,7 +8,7 @@ import {
   freshKey,
   groupOf,
   groupsOf,
-  kMostPanels,
+  MOST_PANELS,
   moveTab,
   numberOf,
   placeBeside,
@@ -124,9 +124,9 @@ test('keys, numbers, states and room', () => {
   assert.notEqual(placeBeside(layout, 'plot', () => true)?.group, center.group);
   const wider = resizePair(layout, layout.root.key, 0, 0.5);
   assert.deepEqual(wider.root.kind === 'row' ? wider.root.sizes : [], [0.375, 0.375, 0.25]);
-  for (let i = 0; i < 2 * kMostPanels; i += 1)
+  for (let i = 0; i < 2 * MOST_PANELS; i += 1)
     layout = addTab(layout, { key: freshKey(layout, 'plot'), panel: 'plot', state: null }, center);
-  assert.equal(tabsOf(layout.root).length, kMostPanels);
+  assert.equal(tabsOf(layout.root).length, MOST_PANELS);
 });
 
 test('a point near an edge means the half beside it', () => {
@@ -155,14 +155,28 @@ test('hostile layouts are bounded, and never throw', () => {
   const read = readLayout(deep, isKnown);
   assert.ok(tabsOf((read.layout ?? assert.fail()).root).length < 12);
   const many = readLayout({ tabs: Array.from({ length: 9999 }, () => 'plot') }, isKnown);
-  assert.equal(tabsOf((many.layout ?? assert.fail()).root).length, kMostPanels);
+  assert.equal(tabsOf((many.layout ?? assert.fail()).root).length, MOST_PANELS);
   let odd: unknown = 1;
   for (let i = 0; i < 5000; i += 1) odd = [odd];
-  for (const value of [
-    null, 3, '', [], {}, { row: [] }, { row: 'nodes' }, { tabs: {} }, { plot: odd }, { plot: 'x'.repeat(20_000) },
-    { row: Array.from({ length: 1000 }, () => 'plot') }, { toString: null }, { constructor: 1 }, { __proto__: { row: ['nodes'] } },
-    JSON.parse('{"__proto__": {"row": ["nodes"]}}'),
-  ])
+  for (
+    const value of [
+      null,
+      3,
+      '',
+      [],
+      {},
+      { row: [] },
+      { row: 'nodes' },
+      { tabs: {} },
+      { plot: odd },
+      { plot: 'x'.repeat(20_000) },
+      { row: Array.from({ length: 1000 }, () => 'plot') },
+      { toString: null },
+      { constructor: 1 },
+      { __proto__: { row: ['nodes'] } },
+      JSON.parse('{"__proto__": {"row": ["nodes"]}}'),
+    ]
+  )
     assert.equal(readLayout(value, isKnown).layout, null);
   for (const text of ['', '{', `"${'x'.repeat(100_000)}"`, '[[[[', 'undefined'])
     assert.equal(parseLayout(text, isKnown).layout, null);
@@ -186,7 +200,7 @@ test('a panel that is asked for covers neither its caller nor what a visitor loo
   const panes = { row: ['text', { tabs: ['turtlesim', 'plot'] }, { tabs: ['nodes', 'graph'] }], sizes: [2, 5, 1] };
   const layout = readLayout(panes, (panel) => known.includes(panel)).layout ?? assert.fail('no layout');
   const groupKey = (key: string): string => groupOf(layout, key)?.key ?? assert.fail(key);
-  const isList = (tab: { readonly panel: string }): boolean => ['nodes', 'graph'].includes(tab.panel);
+  const isList = (tab: { readonly panel: string; }): boolean => ['nodes', 'graph'].includes(tab.panel);
   assert.deepEqual(placeBeside(layout, 'text', isList), { group: groupKey('nodes'), zone: 'into' });
   // The only group that may be covered is the caller's own: the largest other one gives room.
   assert.deepEqual(placeBeside(layout, 'nodes', isList), { group: groupKey('turtlesim'), zone: 'below' });

@@ -38,17 +38,18 @@ function slowNode() {
       return { close: () => undefined };
     },
     client: (service: string, type: string) => ({
-      call: () => new Promise<Uint8Array>((resolve, reject) => {
-        calls.push({
-          service: service.slice('/driver/'.length),
-          answer(value) {
-            const made = codec.encode(`${type}_Response`, value);
-            assert.ok(made.kind !== 'failed');
-            resolve(made.bytes);
-          },
-          fail: (words) => reject(new Error(words)),
-        });
-      }),
+      call: () =>
+        new Promise<Uint8Array>((resolve, reject) => {
+          calls.push({
+            service: service.slice('/driver/'.length),
+            answer(value) {
+              const made = codec.encode(`${type}_Response`, value);
+              assert.ok(made.kind !== 'failed');
+              resolve(made.bytes);
+            },
+            fail: (words) => reject(new Error(words)),
+          });
+        }),
       close: () => undefined,
     }),
     timer: (_ms: number, ring: () => void) => {
@@ -59,7 +60,10 @@ function slowNode() {
   const session = { graph: () => graph, onGraph: () => () => undefined, node: () => node } as unknown as Session;
   /** Until the store has asked for these, and no others. */
   const asked = async (...services: readonly string[]): Promise<readonly Call[]> => {
-    while (calls.length < services.length) await new Promise((next) => { setImmediate(next); });
+    while (calls.length < services.length)
+      await new Promise((next) => {
+        setImmediate(next);
+      });
     const all = calls.splice(0);
     assert.deepEqual(all.map(({ service }) => service), services);
     return all;
@@ -67,21 +71,27 @@ function slowNode() {
   return { session, calls, timers, asked, event: () => event() };
 }
 
-const kBoth = ['get_state', 'get_available_transitions'] as const;
+const BOTH = ['get_state', 'get_available_transitions'] as const;
 
 test('a state that could not be read is told until it is read, which is tried again', watchdog, async () => {
   const { session, timers, asked } = slowNode();
   const store = new LifecycleStore(session, codec, () => undefined);
-  for (const call of await asked(...kBoth)) call.fail('no answer in time');
+  for (const call of await asked(...BOTH)) call.fail('no answer in time');
   const shown = () => store.nodes()[0] ?? assert.fail();
-  while (shown().unread === '') await new Promise((next) => { setImmediate(next); });
+  while (shown().unread === '')
+    await new Promise((next) => {
+      setImmediate(next);
+    });
   assert.equal(shown().unread, 'no answer in time');
   assert.equal(timers.size, 1);
   for (const ring of [...timers]) ring();
-  const [state, transitions] = await asked(...kBoth);
+  const [state, transitions] = await asked(...BOTH);
   state?.answer({ current_state: inactive });
   transitions?.answer({ available_transitions: [] });
-  while (shown().state === null) await new Promise((next) => { setImmediate(next); });
+  while (shown().state === null)
+    await new Promise((next) => {
+      setImmediate(next);
+    });
   assert.deepEqual([shown().unread, shown().problem, shown().state?.label, timers.size], ['', '', 'inactive', 0]);
   store.close();
 });
@@ -89,21 +99,26 @@ test('a state that could not be read is told until it is read, which is tried ag
 test('while a transition is made nothing is read, and what was being read counts no more; then all is read once', watchdog, async () => {
   const { session, calls, timers, asked, event } = slowNode();
   const store = new LifecycleStore(session, codec, () => undefined);
-  const early = await asked(...kBoth);
+  const early = await asked(...BOTH);
   const changed = store.change('/driver', configure);
   const [change] = await asked('change_state');
   for (const call of early) call.fail('no answer in time');
   event();
   event();
-  await new Promise((next) => { setImmediate(next); });
+  await new Promise((next) => {
+    setImmediate(next);
+  });
   assert.deepEqual([calls.length, timers.size, store.nodes()[0]?.unread], [0, 0, '']);
   change?.answer({ success: false });
   const words = await changed;
   assert.notEqual(words, '');
-  const [state, transitions] = await asked(...kBoth);
+  const [state, transitions] = await asked(...BOTH);
   state?.answer({ current_state: inactive });
   transitions?.answer({ available_transitions: [] });
-  while (store.nodes()[0]?.state === null) await new Promise((next) => { setImmediate(next); });
+  while (store.nodes()[0]?.state === null)
+    await new Promise((next) => {
+      setImmediate(next);
+    });
   // Why the transition was not made stays.
   assert.equal(store.nodes()[0]?.problem, words);
   store.close();
@@ -112,8 +127,11 @@ test('while a transition is made nothing is read, and what was being read counts
 test('a store that is closed tries nothing again', watchdog, async () => {
   const { session, timers, asked } = slowNode();
   const store = new LifecycleStore(session, codec, () => undefined);
-  for (const call of await asked(...kBoth)) call.fail('no answer in time');
-  while (timers.size === 0) await new Promise((next) => { setImmediate(next); });
+  for (const call of await asked(...BOTH)) call.fail('no answer in time');
+  while (timers.size === 0)
+    await new Promise((next) => {
+      setImmediate(next);
+    });
   store.close();
   assert.equal(timers.size, 0);
 });

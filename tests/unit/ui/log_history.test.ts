@@ -5,8 +5,12 @@ import { test } from 'node:test';
 import { type LogEntry, LogHistory } from '../../../runtime/site/ui/model/log_history.ts';
 import type { ConsoleLine } from '../../../runtime/site/contract/session.ts';
 
-const said = (time: number, text: string, level?: ConsoleLine['level']): ConsoleLine =>
-  ({ time, stream: 'stderr', text, ...(level === undefined ? {} : { level }) });
+const said = (time: number, text: string, level?: ConsoleLine['level']): ConsoleLine => ({
+  time,
+  stream: 'stderr',
+  text,
+  ...(level === undefined ? {} : { level }),
+});
 const logged = (time: number, node = 'n', text = 'x'): ConsoleLine => said(time, `[INFO] [${time}.0] [${node}]: ${text}`, 'INFO');
 const message = (time: number, text: string): LogEntry => ({ node: 'a', place: 'File "a.cpp", line 1', line: said(time, text) });
 const times = (entries: readonly LogEntry[]): readonly number[] => entries.map(({ line }) => line.time);
@@ -39,7 +43,8 @@ test('a message that a console had is known, once, by its first line', () => {
   assert.equal(log.take(message(9, '[INFO] [1.0] [a]: one')), 'placed');
   assert.equal(log.take(message(9, '[INFO] [2.0] [a]: two\nand more')), 'longer');
   assert.deepEqual(log.entries.map(({ place, line }) => [place, line.text]), [
-    ['File "a.cpp", line 1', '[INFO] [1.0] [a]: one'], ['File "a.cpp", line 1', '[INFO] [2.0] [a]: two\nand more'],
+    ['File "a.cpp", line 1', '[INFO] [1.0] [a]: one'],
+    ['File "a.cpp", line 1', '[INFO] [2.0] [a]: two\nand more'],
   ]);
   assert.equal(log.take(message(9, '[INFO] [2.0] [a]: two\nand more')), 'new');
   assert.equal(log.take(message(9, '[INFO] [3.0] [a]: three')), 'new');

@@ -5,9 +5,7 @@ import { headingId, readMarkdown, sitePath } from '../../../runtime/site/ui/mode
 import { isPageAction, readPageAction } from '../../../runtime/site/ui/model/page_action.ts';
 
 const kinds = (text: string): unknown =>
-  readMarkdown(text)?.flatMap((token) =>
-    token.type === 'paragraph' ? (token.tokens ?? []).map((inner) => [inner.type, inner.raw]) : [[token.type]],
-  );
+  readMarkdown(text)?.flatMap((token) => token.type === 'paragraph' ? (token.tokens ?? []).map((inner) => [inner.type, inner.raw]) : [[token.type]]);
 
 test('math stands between dollar signs, money does not', () => {
   assert.deepEqual(kinds('a $x^2$ b'), [['text', 'a '], ['inline_math', '$x^2$'], ['text', ' b']]);
@@ -18,7 +16,7 @@ test('math stands between dollar signs, money does not', () => {
 
 test('hostile texts end soon', { timeout: 60_000 }, () => {
   readMarkdown('> '.repeat(50_000));
-  readMarkdown('[' .repeat(5_000));
+  readMarkdown('['.repeat(5_000));
   readMarkdown('*a '.repeat(3_000));
   readMarkdown('$'.repeat(20_000));
   assert.equal(readMarkdown('x'.repeat(2_000_000)), null);
@@ -37,12 +35,17 @@ test('headings have the names that links use', () => {
 
 test('links that act say what they do, and nothing else counts', () => {
   assert.deepEqual(readPageAction('ros2wasm:open?panel=plot&paths=/a.b&paths=/c.d&seconds=5&held=true'), {
-    kind: 'open', panel: 'plot', state: { paths: ['/a.b', '/c.d'], seconds: 5, held: true },
+    kind: 'open',
+    panel: 'plot',
+    state: { paths: ['/a.b', '/c.d'], seconds: 5, held: true },
   });
   assert.deepEqual(readPageAction('ros2wasm:open?panel=console'), { kind: 'open', panel: 'console', state: null });
   assert.deepEqual(readPageAction('ros2wasm:start?node=talker'), { kind: 'start', node: 'talker' });
   assert.deepEqual(readPageAction('ros2wasm:publish?topic=/a&type=b/msg/C&value=%7Bx:%201%7D'), {
-    kind: 'publish', topic: '/a', type: 'b/msg/C', value: '{x: 1}',
+    kind: 'publish',
+    topic: '/a',
+    type: 'b/msg/C',
+    value: '{x: 1}',
   });
   assert.deepEqual(readPageAction('ros2wasm:call?name=/add&value={a:%201,%20b:%202}'), { kind: 'call', name: '/add', type: '', value: '{a: 1, b: 2}' });
   assert.deepEqual(readPageAction('ros2wasm:goal?name=/count&type=demo/action/Count'), { kind: 'goal', name: '/count', type: 'demo/action/Count', value: '' });
@@ -53,9 +56,13 @@ test('links that act say what they do, and nothing else counts', () => {
   assert.deepEqual(readPageAction('ros2wasm:resume?x=1'), { kind: 'resume' });
   assert.deepEqual(readPageAction('ros2wasm:step'), { kind: 'step', ms: 100 });
   assert.deepEqual(readPageAction('ros2wasm:step?ms=0.5'), { kind: 'step', ms: 0.5 });
-  const wrong = ['call', 'call?value=1', 'goal?name=', 'run', 'run?line=%20', 'run?line=ros2%20topic%20list%0Aros2%20node%20list', 'run?line=a%1bb', 'step?ms=0', 'step?ms=-1', 'step?ms=1e9', 'step?ms=x', 'step?ms=Infinity', 'Pause', 'pause%20', '__proto__', 'constructor?name=a'];
+  const wrong = ['call', 'call?value=1', 'goal?name=', 'run', 'run?line=%20', 'run?line=ros2%20topic%20list%0Aros2%20node%20list', 'run?line=a%1bb',
+    'step?ms=0', 'step?ms=-1', 'step?ms=1e9', 'step?ms=x', 'step?ms=Infinity', 'Pause', 'pause%20', '__proto__', 'constructor?name=a'];
   for (const href of wrong) assert.equal(readPageAction(`ros2wasm:${href}`), null, href);
-  for (const href of ['ros2wasm:', 'ros2wasm:open', 'ros2wasm:start?node=', 'ros2wasm:eval?x=1', 'ros2wasm:publish?topic=/a', `ros2wasm:start?node=${'x'.repeat(9000)}`])
+  for (
+    const href of ['ros2wasm:', 'ros2wasm:open', 'ros2wasm:start?node=', 'ros2wasm:eval?x=1', 'ros2wasm:publish?topic=/a',
+      `ros2wasm:start?node=${'x'.repeat(9000)}`]
+  )
     assert.equal(readPageAction(href), null, href.slice(0, 40));
   assert.equal(isPageAction('https://a.example/ros2wasm:start?node=a'), false);
   const odd = readPageAction('ros2wasm:open?panel=plot&__proto__=1');

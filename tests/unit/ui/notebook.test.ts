@@ -12,7 +12,14 @@ import { nbformatFaults } from '../../support/nbformat_rules.ts';
 const file = {
   cells: [
     { cell_type: 'markdown', id: 'a', metadata: { tags: ['x'] }, source: ['# A\n', 'b'], attachments: { 'i.png': { 'image/png': 'AA==' } } },
-    { cell_type: 'code', id: 'b', metadata: { collapsed: true }, execution_count: 3, outputs: [{ output_type: 'stream', name: 'stdout', text: ['1\n'] }], source: 'print(1)' },
+    {
+      cell_type: 'code',
+      id: 'b',
+      metadata: { collapsed: true },
+      execution_count: 3,
+      outputs: [{ output_type: 'stream', name: 'stdout', text: ['1\n'] }],
+      source: 'print(1)',
+    },
     { cell_type: 'raw', id: 'c', metadata: {}, source: '' },
   ],
   metadata: { kernelspec: { name: 'python3', display_name: 'Python 3' }, mine: { deep: [1] } },
@@ -45,15 +52,25 @@ test('what is written is as the schema of nbformat asks, whatever was read', () 
     const written: unknown = JSON.parse(writeNotebook({ ...notebook, cells: [...notebook.cells, newCell('code'), newCell('raw')] }));
     assert.deepEqual(nbformatFaults(written).filter((fault) => minor > 0 || !fault.includes('.attachments')), [], `4.${minor}`);
   }
-  const broken = { ...file, extra: 1, cells: [{ ...file.cells[1], outputs: [{ output_type: 'stream', text: 1 }] }, { cell_type: 'raw', id: 'b', metadata: {} }] };
+  const broken = {
+    ...file,
+    extra: 1,
+    cells: [{ ...file.cells[1], outputs: [{ output_type: 'stream', text: 1 }] }, { cell_type: 'raw', id: 'b', metadata: {} }],
+  };
   assert.deepEqual(nbformatFaults(broken), [
-    '.cells[0].outputs[0].name is missing', '.cells[0].outputs[0].text is neither a text nor a list of lines', '.cells[1].source is missing',
-    '.extra is unknown', 'two cells have one id']);
+    '.cells[0].outputs[0].name is missing',
+    '.cells[0].outputs[0].text is neither a text nor a list of lines',
+    '.cells[1].source is missing',
+    '.extra is unknown',
+    'two cells have one id',
+  ]);
 });
 
 test('cells that are added or have the same id get ids of their own', () => {
   const notebook = read({ ...file, cells: [{ cell_type: 'code', id: 'a' }, { cell_type: 'code', id: 'a' }, { cell_type: 'code', id: 'no id!' }] });
-  const written = JSON.parse(writeNotebook({ ...notebook, cells: [...notebook.cells, newCell('markdown')] })) as { readonly cells: readonly { readonly id: string }[] };
+  const written = JSON.parse(writeNotebook({ ...notebook, cells: [...notebook.cells, newCell('markdown')] })) as {
+    readonly cells: readonly { readonly id: string; }[];
+  };
   const ids = written.cells.map(({ id }) => id);
   assert.equal(new Set(ids).size, 4);
   assert.ok(ids.every((id) => /^[a-zA-Z0-9_-]{1,64}$/.test(id)), ids.join());
@@ -108,7 +125,8 @@ test('a kernel says nothing but events', () => {
 function shape(nodes: readonly HtmlNode[] | null): string {
   return (nodes ?? ['null']).map((node) => {
     if (typeof node === 'string') return node;
-    const parts = [...Object.entries(node.attributes).map(([name, value]) => `${name}=${value}`), ...Object.entries(node.style).map(([name, value]) => `${name}:${value}`)];
+    const parts = [...Object.entries(node.attributes).map(([name, value]) => `${name}=${value}`),
+      ...Object.entries(node.style).map(([name, value]) => `${name}:${value}`)];
     return `<${[node.tag, ...parts].join(' ')}>${shape(node.children)}</>`;
   }).join('');
 }
@@ -127,11 +145,13 @@ test('HTML that means harm', () => {
   const harmless = (html: string): string => shape(readHtml(html));
   assert.equal(harmless('a<script>alert(1)</script><style>*{}</style><iframe src=x></iframe>b'), 'ab');
   assert.equal(harmless('<img src=x onerror=alert(1) alt="no image">'), 'no image');
-  assert.equal(harmless('<b onclick="x()" id=y class=z style="position:fixed;background:url(x);color:var(--a);width:10px;margin:-9px">t</b>'), '<b width:10px>t</>');
+  assert.equal(harmless('<b onclick="x()" id=y class=z style="position:fixed;background:url(x);color:var(--a);width:10px;margin:-9px">t</b>'),
+    '<b width:10px>t</>');
   const styled = (style: string): string => harmless(`<b style='${style}'>t</b>`);
   for (const value of ['image-set("x.png" 1x)', 'red\nurl(x)', 'cross-fade(red, blue)', 'url (x)']) assert.equal(styled(`background: ${value}`), '<b>t</>');
   for (const value of ['calc(500px/-1)', 'calc(500px * 2)', '0-500px', '10%-5px', '1px\n-5px', '1px/-5px']) assert.equal(styled(`margin: ${value}`), '<b>t</>');
-  assert.equal(styled('color: rgba(1, 2, 3, 50%); background: hsl(10 20% 30%); font-family: sans-serif'), '<b color:rgba(1, 2, 3, 50%) background:hsl(10 20% 30%) font-family:sans-serif>t</>');
+  assert.equal(styled('color: rgba(1, 2, 3, 50%); background: hsl(10 20% 30%); font-family: sans-serif'),
+    '<b color:rgba(1, 2, 3, 50%) background:hsl(10 20% 30%) font-family:sans-serif>t</>');
   assert.equal(harmless('<a href="javascript:x">a</a><a href=" https://web.example">b</a>'), '<a>a</><a href=https://web.example>b</>');
   assert.match(harmless('<svg onload="x()"><script>y</script></svg>'), /^<img src=data:image\/svg\+xml,%3Csvg[^<>]* alt=><\/>$/);
   assert.match(harmless('<svg>\ud800</svg>'), /%EF%BF%BD/);

@@ -11,18 +11,20 @@ const read = (text: string, type: number): unknown => {
 };
 
 test('what a field shows means the same when it is read', () => {
-  for (const value of [
-    { type: 2, integer_value: -9223372036854775808n },
-    { type: 3, double_value: 1 },
-    { type: 3, double_value: -Infinity },
-    { type: 3, double_value: 1e-7 },
-    { type: 4, string_value: ' true ' },
-    { type: 6, bool_array_value: [true, false] },
-    { type: 7, integer_array_value: [1n, -2n] },
-    { type: 8, double_array_value: [1, 0.5, 1e300] },
-    { type: 9, string_array_value: ['a, b', 'yes', '1', '"\\\u2028\n', ''] },
-    { type: 9, string_array_value: [] },
-  ]) assert.deepEqual(read(parameterText(value), value.type), value);
+  for (
+    const value of [
+      { type: 2, integer_value: -9223372036854775808n },
+      { type: 3, double_value: 1 },
+      { type: 3, double_value: -Infinity },
+      { type: 3, double_value: 1e-7 },
+      { type: 4, string_value: ' true ' },
+      { type: 6, bool_array_value: [true, false] },
+      { type: 7, integer_array_value: [1n, -2n] },
+      { type: 8, double_array_value: [1, 0.5, 1e300] },
+      { type: 9, string_array_value: ['a, b', 'yes', '1', '"\\\u2028\n', ''] },
+      { type: 9, string_array_value: [] },
+    ]
+  ) assert.deepEqual(read(parameterText(value), value.type), value);
 });
 
 test('what does not fit its type is refused', () => {
@@ -50,8 +52,14 @@ test('bytes are shown, the first of many', () => {
 });
 
 const descriptor = {
-  name: 'x', type: 2, description: '', additional_constraints: '', read_only: false, dynamic_typing: false,
-  floating_point_range: [], integer_range: [],
+  name: 'x',
+  type: 2,
+  description: '',
+  additional_constraints: '',
+  read_only: false,
+  dynamic_typing: false,
+  floating_point_range: [],
+  integer_range: [],
 };
 
 test('ranges become sliders when they can', () => {

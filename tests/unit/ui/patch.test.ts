@@ -8,7 +8,8 @@ import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { type ChangedFile, makePatch } from '../../../runtime/site/ui/model/patch.ts';
 
-const tools: readonly (readonly string[])[] = [['git', 'apply', '--whitespace=nowarn', '-'], ['patch', '-p1', '--binary', '--posix'], ['patch', '-p1', '--binary']];
+const tools: readonly (readonly string[])[] = [['git', 'apply', '--whitespace=nowarn', '-'], ['patch', '-p1', '--binary', '--posix'], ['patch', '-p1',
+  '--binary']];
 
 /** The texts of the files after a tool has applied the patch. */
 function applied(files: readonly ChangedFile[], [tool = '', ...args]: readonly string[]): (string | undefined)[] {
@@ -19,7 +20,12 @@ function applied(files: readonly ChangedFile[], [tool = '', ...args]: readonly s
       writeFileSync(join(folder, path), before);
     }
     // Not within some repository around it.
-    execFileSync(tool, args, { cwd: folder, input: makePatch(files), env: { ...process.env, GIT_CEILING_DIRECTORIES: dirname(folder) }, stdio: ['pipe', 'ignore', 'pipe'] });
+    execFileSync(tool, args, {
+      cwd: folder,
+      input: makePatch(files),
+      env: { ...process.env, GIT_CEILING_DIRECTORIES: dirname(folder) },
+      stdio: ['pipe', 'ignore', 'pipe'],
+    });
     return files.map(({ path }) => readFileSync(join(folder, path), 'utf8'));
   } finally {
     rmSync(folder, { recursive: true });
@@ -30,8 +36,7 @@ function check(files: readonly ChangedFile[], which = tools): void {
   for (const tool of which) assert.deepEqual(applied(files, tool), files.map(({ after }) => after), `${tool.join(' ')}\n${makePatch(files)}`);
 }
 
-const lines = (count: number, change: (n: number) => string = (n) => `line ${n}`): string =>
-  Array.from({ length: count }, (_, i) => `${change(i)}\n`).join('');
+const lines = (count: number, change: (n: number) => string = (n) => `line ${n}`): string => Array.from({ length: count }, (_, i) => `${change(i)}\n`).join('');
 
 // Compatibility, works: a patch of the page is taken by `git apply` and `patch -p1`
 test('changes at the begin, in the middle, at the end; far apart and close together', () => {

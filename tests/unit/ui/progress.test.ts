@@ -6,20 +6,20 @@ import { TaskDesk } from '../../../runtime/site/ui/parts/task_desk.ts';
 import type { TaskView } from '../../../runtime/site/contract/site_tasks.ts';
 import { FakeSession, FakeTasks } from './fake_session.ts';
 
-const kAt = '2026-11-28T09:00:00.000Z';
-const kLater = '2026-11-28T10:00:00.000Z';
+const AT = '2026-11-28T09:00:00.000Z';
+const LATER = '2026-11-28T10:00:00.000Z';
 
 function view(title: string, done: boolean): TaskView {
   return { title, done, checks: [{ title: 'x above 9', state: done ? 'passed' : 'open', seen: done ? '9.1' : 'no message' }] };
 }
 
-function memory(): { getItem: (key: string) => string | null; setItem: (key: string, value: string) => void; all: Map<string, string> } {
+function memory(): { getItem: (key: string) => string | null; setItem: (key: string, value: string) => void; all: Map<string, string>; } {
   const all = new Map<string, string>();
   return { all, getItem: (key) => all.get(key) ?? null, setItem: (key, value) => void all.set(key, value) };
 }
 
 test('what was written is read again, and nothing else', () => {
-  const progress = [{ title: 'Drive', doneAt: kAt, hintAt: kAt, seen: [{ title: 'x above 9', seen: '9.1' }] }];
+  const progress = [{ title: 'Drive', doneAt: AT, hintAt: AT, seen: [{ title: 'x above 9', seen: '9.1' }] }];
   assert.deepEqual(readProgress(progressText(progress)), progress);
   for (const text of [null, '', '{', '[]', '7', 'null', '{"schema":2,"tasks":[]}', '{"schema":1,"tasks":{}}', ' '.repeat(300_000)]) {
     assert.deepEqual(readProgress(text), []);
@@ -33,9 +33,9 @@ test('what was written is read again, and nothing else', () => {
 });
 
 test('of two tabs the earlier time counts', () => {
-  const one = [{ title: 'a', doneAt: kLater, seen: [{ title: 'c', seen: 'late' }] }];
-  const other = [{ title: 'a', doneAt: kAt, solutionAt: kAt, seen: [{ title: 'c', seen: 'early' }] }, { title: 'b', seen: [] }];
-  const both = [{ title: 'a', doneAt: kAt, solutionAt: kAt, seen: [{ title: 'c', seen: 'early' }] }, { title: 'b', seen: [] }];
+  const one = [{ title: 'a', doneAt: LATER, seen: [{ title: 'c', seen: 'late' }] }];
+  const other = [{ title: 'a', doneAt: AT, solutionAt: AT, seen: [{ title: 'c', seen: 'early' }] }, { title: 'b', seen: [] }];
+  const both = [{ title: 'a', doneAt: AT, solutionAt: AT, seen: [{ title: 'c', seen: 'early' }] }, { title: 'b', seen: [] }];
   assert.deepEqual(merged(one, other), both);
   assert.deepEqual(merged(other, one), both);
 });
@@ -48,7 +48,7 @@ test('the desk keeps what is done over visits, says it once, and forgets', () =>
       tasks: ['Drive', 'Stop'].map((title) => ({ title, text: '', hint: 'h', solution: 's', checks: [{ title: '', aim: { kind: 'rate', topic: '/x' } }] })),
     });
     session.tasks = tasks;
-    return new TaskDesk(session, store, '/course/lab1/', () => new Date(kAt));
+    return new TaskDesk(session, store, '/course/lab1/', () => new Date(AT));
   };
   const tasks = new FakeTasks([view('Drive', false), view('Stop', false)]);
   const desk = make(tasks);
@@ -63,7 +63,8 @@ test('the desk keeps what is done over visits, says it once, and forgets', () =>
   // Another visit, another version of the lab.
   const next = make(new FakeTasks([view('Drive', false), view('Stop', false)]));
   assert.deepEqual(next.progress(), [
-    { title: 'Drive', doneAt: kAt, hintAt: kAt, seen: [{ title: 'x above 9', seen: '9.1' }] }, { title: 'Stop', seen: [] },
+    { title: 'Drive', doneAt: AT, hintAt: AT, seen: [{ title: 'x above 9', seen: '9.1' }] },
+    { title: 'Stop', seen: [] },
   ]);
   next.forget();
   assert.deepEqual(next.progress(), [{ title: 'Drive', seen: [] }, { title: 'Stop', seen: [] }]);
@@ -73,6 +74,6 @@ test('the desk keeps what is done over visits, says it once, and forgets', () =>
     throw new Error('full');
   };
   const full = make(new FakeTasks([view('Drive', true), view('Stop', false)]));
-  assert.equal(full.progress()[0]?.doneAt, kAt);
+  assert.equal(full.progress()[0]?.doneAt, AT);
   full.close();
 });

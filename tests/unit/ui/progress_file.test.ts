@@ -4,20 +4,34 @@ import { test } from 'node:test';
 import { fileName, fileText, recordText, signedBytes, studentName } from '../../../runtime/site/ui/model/progress_file.ts';
 import { browserKey } from '../../../runtime/site/ui/parts/browser_key.ts';
 
-const kAt = '2026-11-28T09:00:00.000Z';
+const AT = '2026-11-28T09:00:00.000Z';
 
 test('the record has each task, and what was seen of those that are done', () => {
   const record = recordText({
-    student: 'Ada', exportedAt: kAt, course: 'Robots\u0007',
-    labs: [{ title: 'Drive', sha256: 'a'.repeat(64), tasks: [
-      { title: 'One', doneAt: kAt, hintAt: kAt, seen: [{ title: 'x', seen: '9.1' }] }, { title: 'Two', solutionAt: kAt, seen: [] },
-    ] }],
+    student: 'Ada',
+    exportedAt: AT,
+    course: 'Robots\u0007',
+    labs: [{
+      title: 'Drive',
+      sha256: 'a'.repeat(64),
+      tasks: [
+        { title: 'One', doneAt: AT, hintAt: AT, seen: [{ title: 'x', seen: '9.1' }] },
+        { title: 'Two', solutionAt: AT, seen: [] },
+      ],
+    }],
   });
   assert.deepEqual(JSON.parse(record), {
-    student: 'Ada', exported_at: kAt, course: 'Robots ',
-    labs: [{ title: 'Drive', sha256: 'a'.repeat(64), tasks: [
-      { title: 'One', done_at: kAt, hint_at: kAt, seen: [{ title: 'x', seen: '9.1' }] }, { title: 'Two', solution_at: kAt },
-    ] }],
+    student: 'Ada',
+    exported_at: AT,
+    course: 'Robots ',
+    labs: [{
+      title: 'Drive',
+      sha256: 'a'.repeat(64),
+      tasks: [
+        { title: 'One', done_at: AT, hint_at: AT, seen: [{ title: 'x', seen: '9.1' }] },
+        { title: 'Two', solution_at: AT },
+      ],
+    }],
   });
 });
 
@@ -39,8 +53,7 @@ test('the signature is over the record and what it is for; a browser that keeps 
   assert.deepEqual(Object.keys(file), ['format', 'schema', 'record', 'key', 'signature']);
   const bytes = (name: string): Uint8Array<ArrayBuffer> => new Uint8Array(Buffer.from(file[name] ?? '', 'base64'));
   const imported = await crypto.subtle.importKey('raw', bytes('key'), 'Ed25519', false, ['verify']);
-  const fits = (text: string): Promise<boolean> =>
-    crypto.subtle.verify('Ed25519', imported, bytes('signature'), new TextEncoder().encode(text));
+  const fits = (text: string): Promise<boolean> => crypto.subtle.verify('Ed25519', imported, bytes('signature'), new TextEncoder().encode(text));
   assert.equal(await fits(`ros2wasm progress 1\n${file['record'] ?? ''}`), true);
   assert.equal(await fits(record), false);
 });

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { kDrawn, readRviz } from '../../../runtime/site/ui/model/rviz_config.ts';
+import { DRAWN, readRviz } from '../../../runtime/site/ui/model/rviz_config.ts';
 
-const kFile = `
+const FILE = `
 Panels:
   - Class: rviz_common/Displays
     Name: Displays
@@ -38,20 +38,29 @@ Visualization Manager:
 `;
 
 test('displays, frame, view and goal are taken over', () => {
-  const scene = readRviz(kFile) ?? assert.fail();
+  const scene = readRviz(FILE) ?? assert.fail();
   const { view, ...options } = scene.options;
   assert.deepEqual(options, {
-    topics: ['/robot_description', '/scan', '/map', '/odom'], grid: true, frames: true, names: false, frame: 'odom', goal: '/robot/goal', keep: 7, follow: '', looks: {}, images: [],
+    topics: ['/robot_description', '/scan', '/map', '/odom'],
+    grid: true,
+    frames: true,
+    names: false,
+    frame: 'odom',
+    goal: '/robot/goal',
+    keep: 7,
+    follow: '',
+    looks: {},
+    images: [],
   });
   assert.deepEqual(scene.leftOut, ['Swarm']);
   for (const [written, keep] of [['0', 1000], ['5000', 1000], ['-3', 1000], ['1', 1], ['many', undefined]] as const)
-    assert.equal(readRviz(kFile.replace('Keep: 7', `Keep: ${written}`))?.options.keep, keep);
+    assert.equal(readRviz(FILE.replace('Keep: 7', `Keep: ${written}`))?.options.keep, keep);
   assert.deepEqual(view?.target, [1, -2, 0.5]);
   assert.equal(view?.distance, 4.5);
   assert.ok(Math.abs((view?.azimuth ?? 0) - (5.5 - 2 * Math.PI)) < 1e-9);
   for (const [written, background] of [['255; 0; 16', '#ff0010'], ['300; 0; 0', undefined], ['white', undefined]] as const)
-    assert.equal(readRviz(kFile.replace('48; 48; 48', written))?.options.background, background);
-  const top = readRviz(kFile.replace(/Current: .*/, 'Current: {Class: rviz_default_plugins/TopDownOrtho, Scale: 100, X: 3, Y: 4}'));
+    assert.equal(readRviz(FILE.replace('48; 48; 48', written))?.options.background, background);
+  const top = readRviz(FILE.replace(/Current: .*/, 'Current: {Class: rviz_default_plugins/TopDownOrtho, Scale: 100, X: 3, Y: 4}'));
   assert.deepEqual([top?.options.view?.top, top?.options.view?.target], [true, [3, 4, 0]]);
   assert.ok(Math.abs((top?.options.view?.distance ?? 0) - 3 / Math.tan(Math.PI / 8)) < 1e-9);
 });
@@ -64,7 +73,7 @@ test('kinds of displays are those that pack tells of, and what is not drawn is s
   assert.deepEqual(scene.leftOut, [1, 2, 3].map((number) => `skipped ${number}`));
   assert.deepEqual(scene.options.images?.map(({ topic }) => topic), ['/i1', '/i2', '/i3']);
   const [, list = ''] = /kDrawn\[\] = \{([^}]*)\}/.exec(read('bundler/launch/rviz_config.cpp')) ?? [];
-  assert.deepEqual([...list.matchAll(/"(\w+)"/g)].map(([, kind]) => kind).sort(), [...kDrawn].sort());
+  assert.deepEqual([...list.matchAll(/"(\w+)"/g)].map(([, kind]) => kind).sort(), [...DRAWN].sort());
 });
 
 test('what is no such file is refused, and odd values are as usual', () => {
@@ -74,7 +83,9 @@ test('what is no such file is refused, and odd values are as usual', () => {
   let nest = '{Class: x/Grid, Enabled: true}';
   for (let i = 0; i < 50; i += 1) nest = `{Class: x/Group, Enabled: true, Displays: [${nest}]}`;
   assert.equal(readRviz(`Visualization Manager: {Displays: [${nest}]}`)?.options.grid, false);
-  const odd = readRviz('Visualization Manager: {Displays: [null, 7, {Enabled: true}], Views: {Current: {Class: x/Orbit, Distance: .nan, Yaw: .inf}}, Tools: 3}');
+  const odd = readRviz(
+    'Visualization Manager: {Displays: [null, 7, {Enabled: true}], Views: {Current: {Class: x/Orbit, Distance: .nan, Yaw: .inf}}, Tools: 3}',
+  );
   assert.equal(odd?.options.view?.distance, 6);
   assert.deepEqual(odd?.options.topics, []);
   assert.equal(odd?.options.view?.azimuth, Math.PI / 4);
@@ -84,18 +95,25 @@ test('how displays look, where tools publish and what the view goes with are tak
   const read = (displays: string, more = ''): ReturnType<typeof readRviz> => readRviz(`Visualization Manager:\n  Displays:\n${displays}\n${more}`);
   const looks = (display: string): unknown => Object.values(read(`    - {Enabled: true, Topic: {Value: /t}, ${display}}`)?.options.looks ?? {})[0];
   assert.deepEqual(
-    looks('Class: rviz_default_plugins/PointCloud2, Alpha: 0.5, Size (Pixels): 7, Decay Time: 2.5, Color Transformer: AxisColor, Axis: X, Autocompute Value Bounds: {Value: false, Min Value: -1, Max Value: 4}'),
+    looks(
+      'Class: rviz_default_plugins/PointCloud2, Alpha: 0.5, Size (Pixels): 7, Decay Time: 2.5, Color Transformer: AxisColor, Axis: X, Autocompute Value Bounds: {Value: false, Min Value: -1, Max Value: 4}',
+    ),
     { alpha: 0.5, size: 7, decay: 2.5, channel: 'x', least: -1, most: 4 },
   );
   assert.deepEqual(
-    looks('Class: rviz_default_plugins/LaserScan, Color Transformer: Intensity, Channel Name: intensity, Autocompute Intensity Bounds: false, Min Intensity: 0, Max Intensity: 47'),
+    looks(
+      'Class: rviz_default_plugins/LaserScan, Color Transformer: Intensity, Channel Name: intensity, Autocompute Intensity Bounds: false, Min Intensity: 0, Max Intensity: 47',
+    ),
     { channel: 'intensity', least: 0, most: 47 },
   );
   assert.deepEqual(looks('Class: rviz_default_plugins/LaserScan, Color Transformer: FlatColor, Color: 255; 0; 16'), { color: '#ff0010', channel: 'flat' });
   assert.deepEqual(looks('Class: rviz_default_plugins/PointCloud2, Alpha: 1, Size (Pixels): 3, Decay Time: 0, Color Transformer: RGB8'), { channel: 'rgb' });
   assert.deepEqual(looks('Class: rviz_default_plugins/Map, Alpha: 0.7, Color Scheme: costmap'), { alpha: 0.7, scheme: 'costmap' });
   assert.deepEqual(looks('Class: rviz_default_plugins/Path, Alpha: 1, Color: 25; 255; 0'), { color: '#19ff00' });
-  assert.deepEqual(looks('Class: rviz_default_plugins/RobotModel, Alpha: 1, Visual Enabled: false, Collision Enabled: true'), { hideVisual: true, collision: true });
+  assert.deepEqual(looks('Class: rviz_default_plugins/RobotModel, Alpha: 1, Visual Enabled: false, Collision Enabled: true'), {
+    hideVisual: true,
+    collision: true,
+  });
   assert.deepEqual(looks('Class: rviz_default_plugins/Wrench, Force Color: 1; 2; 3'), { color: '#010203' });
   assert.equal(looks('Class: rviz_default_plugins/Path, Alpha: 7, Color: 1; 2'), undefined);
   assert.equal(looks('Class: rviz_default_plugins/Path, Alpha: many, Color: 1; 2; 999'), undefined);

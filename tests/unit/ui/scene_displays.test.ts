@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { InstancedMesh, Matrix4, Mesh, Quaternion, Vector3 } from 'three';
-import { eyeOf, kUsualView, panned, readView, turned, writeView, zoomed } from '../../../runtime/site/ui/model/camera_view.ts';
+import { eyeOf, USUAL_VIEW, panned, readView, turned, writeView, zoomed } from '../../../runtime/site/ui/model/camera_view.ts';
 import { readCovariance } from '../../../runtime/site/ui/model/covariance.ts';
 import type { DisplayContext } from '../../../runtime/site/ui/scene/display.ts';
 import type { DisplayLook } from '../../../runtime/site/ui/model/display_look.ts';
@@ -23,9 +23,9 @@ const upright = { x: 0, y: 0, z: 0, w: 1 };
 const pose = (x: number, y = 0, z = 0): unknown => ({ position: { x, y, z }, orientation: upright });
 
 test('a view turns, moves and zooms within bounds, and is kept', () => {
-  const [x, y, z] = eyeOf({ ...kUsualView, azimuth: 0, elevation: 0, target: [1, 2, 3] });
+  const [x, y, z] = eyeOf({ ...USUAL_VIEW, azimuth: 0, elevation: 0, target: [1, 2, 3] });
   assert.deepEqual([x, y, z].map((part) => Number(part.toFixed(6))), [7, 2, 3]);
-  let view = kUsualView;
+  let view = USUAL_VIEW;
   for (let i = 0; i < 100; i += 1) view = turned(view, 37, 500, 400);
   assert.ok(view.elevation < Math.PI / 2 && Math.abs(view.azimuth) <= Math.PI);
   for (let i = 0; i < 500; i += 1) view = zoomed(view, 0.5);
@@ -35,13 +35,13 @@ test('a view turns, moves and zooms within bounds, and is kept', () => {
   assert.ok(view.target.every((part) => Math.abs(part) <= 1e6));
   assert.deepEqual(zoomed(view, NaN), view);
   // From above the ground follows the pointer: half a picture is half of what is seen.
-  const top = panned({ ...kUsualView, top: true }, 100, 0, 200);
-  assert.ok(Math.abs(top.target[0] + kUsualView.distance * Math.tan(Math.PI / 8)) < 1e-9);
+  const top = panned({ ...USUAL_VIEW, top: true }, 100, 0, 200);
+  assert.ok(Math.abs(top.target[0] + USUAL_VIEW.distance * Math.tan(Math.PI / 8)) < 1e-9);
   assert.equal(top.target[1], 0);
-  assert.deepEqual(readView(writeView({ ...kUsualView, azimuth: Math.PI, elevation: 1.5697963 })).azimuth, 3.141);
-  assert.deepEqual(readView({ distance: -1, azimuth: 'no', x: Infinity, top: 7 }), kUsualView);
-  assert.equal(keyed(kUsualView, 'Home', false, 400), 'home');
-  assert.equal(keyed(kUsualView, 'a', false, 400), null);
+  assert.deepEqual(readView(writeView({ ...USUAL_VIEW, azimuth: Math.PI, elevation: 1.5697963 })).azimuth, 3.141);
+  assert.deepEqual(readView({ distance: -1, azimuth: 'no', x: Infinity, top: 7 }), USUAL_VIEW);
+  assert.equal(keyed(USUAL_VIEW, 'Home', false, 400), 'home');
+  assert.equal(keyed(USUAL_VIEW, 'a', false, 400), null);
 });
 
 test('what the panel keeps is read as it was written, and from links with care', () => {
@@ -56,7 +56,11 @@ test('what the panel keeps is read as it was written, and from links with care',
 
 test('beams of a scan stand at their angles, without those that hit nothing', () => {
   const scan = {
-    header, angle_min: 0, angle_increment: Math.PI / 2, range_min: 0.1, range_max: 10,
+    header,
+    angle_min: 0,
+    angle_increment: Math.PI / 2,
+    range_min: 0.1,
+    range_max: 10,
     ranges: Float32Array.of(1, 2, Infinity, 3, NaN, 0.01, 11, -1),
   };
   const read = readScan(scan) ?? assert.fail();
@@ -72,7 +76,13 @@ test('beams of a scan stand at their angles, without those that hit nothing', ()
 
 function cloud(fields: readonly (readonly [string, number, number])[], step: number, data: Uint8Array, more: object = {}): unknown {
   return {
-    header, height: 1, width: data.length / step, point_step: step, row_step: data.length, is_bigendian: false, data,
+    header,
+    height: 1,
+    width: data.length / step,
+    point_step: step,
+    row_step: data.length,
+    is_bigendian: false,
+    data,
     fields: fields.map(([name, offset, datatype]) => ({ name, offset, datatype, count: 1 })),
     ...more,
   };
@@ -102,7 +112,11 @@ test('clouds whose sizes lie give what they hold', () => {
   const fields = [['x', 0, 7], ['y', 4, 7], ['z', 8, 7]] as const;
   const data = new Uint8Array(24);
   const lies: readonly object[] = [
-    { width: 4e9, height: 4e9 }, { row_step: 4e9 }, { width: 1, height: 1e9, row_step: 0 }, { width: 0, height: 5 }, { width: 1e9, height: 0 },
+    { width: 4e9, height: 4e9 },
+    { row_step: 4e9 },
+    { width: 1, height: 1e9, row_step: 0 },
+    { width: 0, height: 5 },
+    { width: 1e9, height: 0 },
   ];
   for (const lie of lies) {
     const found = readCloud(cloud(fields, 12, data, lie));
@@ -174,8 +188,17 @@ test('odometry leaves arrows where it has been, as many as are kept', () => {
 
 test('a covariance that is none draws nothing', () => {
   const nothing = [
-    covariance(0, 0, 0, 0), covariance(NaN, 0, 1, NaN), covariance(-1, 0, 1, -1), covariance(1, 5, 1, 0), covariance(1e12, 0, 1e12, 0),
-    covariance(Infinity, 0, 1, Infinity), new Float64Array(35), [], 'text', null, Array.from({ length: 36 }, () => 'no'),
+    covariance(0, 0, 0, 0),
+    covariance(NaN, 0, 1, NaN),
+    covariance(-1, 0, 1, -1),
+    covariance(1, 5, 1, 0),
+    covariance(1e12, 0, 1e12, 0),
+    covariance(Infinity, 0, 1, Infinity),
+    new Float64Array(35),
+    [],
+    'text',
+    null,
+    Array.from({ length: 36 }, () => 'no'),
   ];
   for (const wrong of nothing) {
     assert.equal(readCovariance(wrong), null);
@@ -202,8 +225,21 @@ test('poses stand where they are told, and what is none is said', () => {
 });
 
 const marker = (id: number, more: object = {}): unknown => ({
-  header, ns: 'n', id, type: 1, action: 0, pose: pose(id), scale: { x: 1, y: 1, z: 1 }, color: { r: 1, g: 0, b: 0, a: 1 },
-  lifetime: { sec: 0, nanosec: 0 }, frame_locked: false, points: [], colors: [], text: '', mesh_resource: '', ...more,
+  header,
+  ns: 'n',
+  id,
+  type: 1,
+  action: 0,
+  pose: pose(id),
+  scale: { x: 1, y: 1, z: 1 },
+  color: { r: 1, g: 0, b: 0, a: 1 },
+  lifetime: { sec: 0, nanosec: 0 },
+  frame_locked: false,
+  points: [],
+  colors: [],
+  text: '',
+  mesh_resource: '',
+  ...more,
 });
 
 test('markers are added, changed and deleted, and end with their lifetime', () => {
@@ -258,18 +294,28 @@ const row = (count: number): unknown => Array.from({ length: count }, (_, x) => 
 
 test('a strip of arrows is drawn at once, each from its point to the next', () => {
   const display = new Markers(noMeshes);
-  display.take(marker(1, { type: 12, scale: { x: 0.1, y: 0.2, z: 0.25 }, points: [{ x: 1, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 1, y: 2, z: 0 }, { x: 3, y: 2, z: 0 }] }));
+  display.take(
+    marker(1, {
+      type: 12,
+      scale: { x: 0.1, y: 0.2, z: 0.25 },
+      points: [{ x: 1, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 1, y: 2, z: 0 }, { x: 3, y: 2, z: 0 }],
+    }),
+  );
   display.build(0);
   const found: InstancedMesh[] = [];
-  display.group.traverse((each) => { if (each instanceof InstancedMesh) found.push(each); });
+  display.group.traverse((each) => {
+    if (each instanceof InstancedMesh) found.push(each);
+  });
   // One that goes nowhere is none.
   assert.deepEqual(found.map(({ count }) => count), [2, 2]);
-  const places = found.map((each) => [0, 1].map((index) => {
-    const [matrix, at, turn, size] = [new Matrix4(), new Vector3(), new Quaternion(), new Vector3()];
-    each.getMatrixAt(index, matrix);
-    matrix.decompose(at, turn, size);
-    return [...at.toArray(), ...size.toArray()].map((part) => Number(part.toFixed(4)) + 0);
-  }));
+  const places = found.map((each) =>
+    [0, 1].map((index) => {
+      const [matrix, at, turn, size] = [new Matrix4(), new Vector3(), new Quaternion(), new Vector3()];
+      each.getMatrixAt(index, matrix);
+      matrix.decompose(at, turn, size);
+      return [...at.toArray(), ...size.toArray()].map((part) => Number(part.toFixed(4)) + 0);
+    })
+  );
   assert.deepEqual(places, [
     [[1, 0, 0, 1.75, 0.1, 0.1], [1, 2, 0, 1.75, 0.1, 0.1]],
     [[1, 1.75, 0, 0.25, 0.2, 0.2], [2.75, 2, 0, 0.25, 0.2, 0.2]],
@@ -278,9 +324,13 @@ test('a strip of arrows is drawn at once, each from its point to the next', () =
 });
 
 test('hostile markers are bounded together, and leave room when they go', () => {
-  for (const [more, fit] of [
-    [{ type: 6, points: row(20_000) }, 5], [{ type: 12, points: row(20_000) }, 5], [{ type: 4, points: row(200_000) }, 5],
-  ] as const) {
+  for (
+    const [more, fit] of [
+      [{ type: 6, points: row(20_000) }, 5],
+      [{ type: 12, points: row(20_000) }, 5],
+      [{ type: 4, points: row(200_000) }, 5],
+    ] as const
+  ) {
     const display = new Markers(noMeshes);
     const shown = (): number => [...display.anchored()].length;
     for (let id = 0; id < 8; id += 1) display.take(marker(id, more));

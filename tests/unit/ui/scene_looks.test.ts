@@ -20,7 +20,14 @@ const pose = (x: number, y = 0, z = 0): unknown => ({ position: { x, y, z }, ori
 /** The display, and what makes it look otherwise. */
 function shown(topic: string, type: string): readonly [Display, (look: DisplayLook) => void] {
   let look: DisplayLook = {};
-  const context: DisplayContext = { colors: { text: '#000', accent: '#ffffff' }, get look() { return look; }, keep: 1, meshes };
+  const context: DisplayContext = {
+    colors: { text: '#000', accent: '#ffffff' },
+    get look() {
+      return look;
+    },
+    keep: 1,
+    meshes,
+  };
   const display = makeDisplay(topic, type, context) ?? assert.fail(type);
   return [display, (next) => {
     look = next;
@@ -30,7 +37,9 @@ function shown(topic: string, type: string): readonly [Display, (look: DisplayLo
 
 function all<T extends Object3D>(display: Display, isKind: (one: Object3D) => one is T): readonly T[] {
   const found: T[] = [];
-  display.group.traverse((one) => { if (isKind(one)) found.push(one); });
+  display.group.traverse((one) => {
+    if (isKind(one)) found.push(one);
+  });
   return found;
 }
 const isPoints = (one: Object3D): one is Points<BufferGeometry, PointsMaterial> => one instanceof Points;
@@ -46,7 +55,12 @@ test('looks are read with care, kept short, and changed one by one', () => {
   const looks = withLook(withLook({}, '/a', { size: 5, alpha: 0.5 }), '/a', { alpha: undefined });
   assert.deepEqual(looks, { '/a': { size: 5 } });
   assert.deepEqual(withLook(looks, '/a', { size: undefined }), {});
-  const options = readOptions({ looks, images: [{ topic: '/i', size: 'large' }, { topic: '/j', size: 'vast' }, 7, {}], variance: { x: 1, y: -1 }, follow: 'base' });
+  const options = readOptions({
+    looks,
+    images: [{ topic: '/i', size: 'large' }, { topic: '/j', size: 'vast' }, 7, {}],
+    variance: { x: 1, y: -1 },
+    follow: 'base',
+  });
   assert.deepEqual(options.images, [{ topic: '/i', size: 'large' }, { topic: '/j', size: 'small' }]);
   assert.deepEqual(options.variance, { x: 1, y: 0.25, yaw: 0.06853891909122467 });
   const again = readOptions(writeOptions(options));
@@ -57,7 +71,12 @@ test('looks are read with care, kept short, and changed one by one', () => {
 
 function scan(count: number): unknown {
   return {
-    header, angle_min: 0, angle_increment: 0.01, range_min: 0, range_max: 10, ranges: new Float32Array(count).fill(2),
+    header,
+    angle_min: 0,
+    angle_increment: 0.01,
+    range_min: 0,
+    range_max: 10,
+    ranges: new Float32Array(count).fill(2),
     intensities: Float32Array.from({ length: count }, (_, i) => i),
   };
 }
@@ -78,14 +97,16 @@ test('points have the size, colour and opacity that were set, in buffers that se
   look({ size: 9, color: '#ff0000', alpha: 0.25 });
   display.build(6);
   const { material } = points ?? assert.fail();
-  assert.deepEqual([material.size, material.opacity, material.transparent, material.vertexColors, material.color.getHexString()], [9, 0.25, true, false, 'ff0000']);
+  assert.deepEqual([material.size, material.opacity, material.transparent, material.vertexColors, material.color.getHexString()], [9, 0.25, true, false,
+    'ff0000']);
   look({ channel: 'intensity', least: 0, most: 1000 });
   display.build(7);
   assert.ok(material.vertexColors);
   // All are near to the first colour: violet.
   const colors = points.geometry.getAttribute('color').array;
   assert.ok((colors[3 * 90 + 2] ?? 0) > 0.9 && (colors[3 * 90] ?? 1) < 0.5);
-  assert.deepEqual([...(display.describe?.(points, 5) ?? [])].map(([name, value]) => `${name} ${Number(value).toFixed(2)}`), ['beam 5.00', 'angle 0.05', 'range 2.00', 'intensity 5.00']);
+  assert.deepEqual([...(display.describe?.(points, 5) ?? [])].map(([name, value]) => `${name} ${Number(value).toFixed(2)}`), ['beam 5.00', 'angle 0.05',
+    'range 2.00', 'intensity 5.00']);
   // More than there is room for.
   display.take(scan(1000));
   display.build(8);
@@ -100,7 +121,12 @@ test('points have the size, colour and opacity that were set, in buffers that se
 test('messages stay as long as was set, each where its frame was, and the newest one for good', () => {
   const [display, look] = shown('/cloud', 'sensor_msgs/msg/PointCloud2');
   const cloud = (x: number): unknown => ({
-    header: { ...header, frame_id: `f${x}` }, height: 1, width: 1, point_step: 16, row_step: 16, is_bigendian: false,
+    header: { ...header, frame_id: `f${x}` },
+    height: 1,
+    width: 1,
+    point_step: 16,
+    row_step: 16,
+    is_bigendian: false,
     data: new Uint8Array(Float32Array.of(x, 0, 0, 7).buffer),
     fields: ['x', 'y', 'z', 'ring'].map((name, index) => ({ name, offset: index * 4, datatype: 7, count: 1 })),
   });
@@ -123,9 +149,12 @@ test('messages stay as long as was set, each where its frame was, and the newest
   assert.equal(pointValues(null, 0).size, 0);
 });
 
-const kUpdate = 'map_msgs/msg/OccupancyGridUpdate';
-const grid = (more: object = {}, data: unknown = Int8Array.of(0, 100, -1, 50)): unknown =>
-  ({ header, info: { width: 2, height: 2, resolution: 0.5, origin: pose(-1, -1), ...more }, data });
+const UPDATE = 'map_msgs/msg/OccupancyGridUpdate';
+const grid = (more: object = {}, data: unknown = Int8Array.of(0, 100, -1, 50)): unknown => ({
+  header,
+  info: { width: 2, height: 2, resolution: 0.5, origin: pose(-1, -1), ...more },
+  data,
+});
 
 test('a map has its cells in their colours, the first one at its origin, and takes updates', () => {
   const [display, look] = shown('/map', 'nav_msgs/msg/OccupancyGrid');
@@ -135,7 +164,7 @@ test('a map has its cells in their colours, the first one at its origin, and tak
     display.build(0);
     const [ground] = all(display, isMesh);
     assert.ok(ground?.material.map instanceof DataTexture);
-    return [...(ground.material.map.image as { data: Uint8Array }).data];
+    return [...(ground.material.map.image as { data: Uint8Array; }).data];
   };
   display.take({ header, x: 0, y: 0, width: 1, height: 1, data: Int8Array.of(0) }); // of a map that is not there yet
   assert.equal([...display.anchored()].length, 0);
@@ -149,7 +178,7 @@ test('a map has its cells in their colours, the first one at its origin, and tak
   for (const lie of [{ x: 2 }, { width: 9 }, { data: Int8Array.of(1) }, { y: -1 }, { width: NaN }]) {
     display.take(grid());
     display.take({ header, x: 0, y: 0, width: 2, height: 2, data: Int8Array.of(9, 9, 9, 9), ...lie });
-    assert.equal(display.problem, 'an update does not fit the map', `${kUpdate} ${JSON.stringify(lie)}`);
+    assert.equal(display.problem, 'an update does not fit the map', `${UPDATE} ${JSON.stringify(lie)}`);
   }
   // Costmaps: free is seen through, then blue to red, inscribed, lethal; unknown is as in maps.
   look({ scheme: 'costmap', alpha: 0.5 });
@@ -158,8 +187,16 @@ test('a map has its cells in their colours, the first one at its origin, and tak
   look({ scheme: 'raw' });
   assert.deepEqual(cells().slice(4, 8), [1, 1, 1, 255]);
   const lies: readonly unknown[] = [
-    grid({ width: 3 }), grid({ width: 65536, height: 65536 }), grid({ resolution: NaN }), grid({ resolution: 0 }), grid({ resolution: 1e30 }),
-    grid({ origin: pose(NaN) }), grid({}, [0, 0, 0, 0]), grid({ width: 0, height: 0 }, new Int8Array(0)), {}, null,
+    grid({ width: 3 }),
+    grid({ width: 65536, height: 65536 }),
+    grid({ resolution: NaN }),
+    grid({ resolution: 0 }),
+    grid({ resolution: 1e30 }),
+    grid({ origin: pose(NaN) }),
+    grid({}, [0, 0, 0, 0]),
+    grid({ width: 0, height: 0 }, new Int8Array(0)),
+    {},
+    null,
   ];
   for (const lie of lies) {
     display.take(lie);
@@ -201,7 +238,7 @@ test('points, polygons, ranges, forces, velocities and cells have the size that 
   polygon.take({ header, polygon: { points: [vector(0), vector(1), vector(1, 1)] } });
   polygon.build(0);
   const [edge] = all(polygon, isMesh);
-  assert.equal((edge?.geometry as { instanceCount?: number } | undefined)?.instanceCount, 3); // it is closed
+  assert.equal((edge?.geometry as { instanceCount?: number; } | undefined)?.instanceCount, 3); // it is closed
 });
 
 test('measurements that make no sense are said', () => {
@@ -218,9 +255,11 @@ test('measurements that make no sense are said', () => {
 
 test('a robot shows its shapes for collisions, for seeing, both or none', () => {
   const [display, look] = shown('/robot_description', 'std_msgs/msg/String');
-  display.take({ data: `<robot name="r"><link name="a">
+  display.take({
+    data: `<robot name="r"><link name="a">
     <visual><geometry><box size="1 1 1"/></geometry></visual><collision><geometry><box size="2 2 2"/></geometry></collision></link>
-    <link name="b"><collision><geometry><sphere radius="3"/></geometry></collision></link></robot>` });
+    <link name="b"><collision><geometry><sphere radius="3"/></geometry></collision></link></robot>`,
+  });
   const sizes = (): readonly number[] => {
     display.build(0);
     return all(display, isGroup).filter(({ parent }) => parent === display.group).map((link) => {
@@ -242,7 +281,7 @@ test('each kind has the settings that it minds, and an estimate the covariance o
   assert.deepEqual(settingsOf('/c', 'sensor_msgs/msg/PointCloud2'), ['size', 'color', 'alpha', 'decay', 'channel']);
   assert.deepEqual(settingsOf('/m', 'nav_msgs/msg/OccupancyGrid'), ['alpha', 'scheme']);
   assert.deepEqual(settingsOf('/m', 'visualization_msgs/msg/Marker'), []);
-  const { covariance } = estimateValue({ place: [1, 2, 0], heading: 0 }, readOptions(null).variance) as { covariance: readonly number[] };
+  const { covariance } = estimateValue({ place: [1, 2, 0], heading: 0 }, readOptions(null).variance) as { covariance: readonly number[]; };
   assert.deepEqual([covariance.length, covariance[0], covariance[7], covariance[35]], [36, 0.25, 0.25, 0.06853891909122467]);
   assert.equal(covariance.filter((value) => value !== 0).length, 3);
 });

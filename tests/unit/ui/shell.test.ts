@@ -9,15 +9,15 @@ import { Shell } from '../../../runtime/site/ui/shell/shell.ts';
 import { transformLines } from '../../../runtime/site/ui/shell/tf_echo.ts';
 import { FakeSession } from './fake_session.ts';
 
-const kSources: ReadonlyMap<string, string> = new Map([
+const SOURCES: ReadonlyMap<string, string> = new Map([
   ['src/lab_py/lab_py/talk.py', 'import rclpy\n\n\ndef main():\n    rclpy.init()\n    rclpy.spin(node)\n'],
   ['src/lab_py/setup.py', 'from setuptools import setup\nsetup(name="lab_py")\n'],
 ]);
 
 function fakeSources(): Sources {
   return {
-    list: () => [...kSources.keys()].map((file) => ({ path: `lib/${file}`, file, sha256: '', state: 'packed' })),
-    packed: (path) => Promise.resolve(kSources.get(path.slice('lib/'.length)) ?? ''),
+    list: () => [...SOURCES.keys()].map((file) => ({ path: `lib/${file}`, file, sha256: '', state: 'packed' })),
+    packed: (path) => Promise.resolve(SOURCES.get(path.slice('lib/'.length)) ?? ''),
     changed: () => undefined,
     change: () => 'kept',
     onChange: () => () => undefined,
@@ -75,11 +75,14 @@ test('folders: cd, pwd, ls, and their errors', async () => {
   assert.deepEqual(await type('cd ros2_ws/src/lab_py && ls'), ['lab_py  setup.py']);
   assert.equal(shell.prompt, '~/ros2_ws/src/lab_py$');
   assert.deepEqual(await type('ls -l'), [
-    'drwxr-xr-x user user        0 lab_py', `-rw-r--r-- user user ${String(kSources.get('src/lab_py/setup.py')?.length).padStart(8)} setup.py`,
+    'drwxr-xr-x user user        0 lab_py',
+    `-rw-r--r-- user user ${String(SOURCES.get('src/lab_py/setup.py')?.length).padStart(8)} setup.py`,
   ]);
   assert.deepEqual(await type('ls -a lab_py'), ['.  ..  talk.py']);
   assert.deepEqual(await type('cd setup.py; cd nowhere; cd a b'), [
-    '! cd: setup.py: Not a directory', '! cd: nowhere: No such file or directory', '! cd: too many arguments',
+    '! cd: setup.py: Not a directory',
+    '! cd: nowhere: No such file or directory',
+    '! cd: too many arguments',
   ]);
   assert.deepEqual(await type('ls nowhere setup.py'), ["! ls: cannot access 'nowhere': No such file or directory", 'setup.py']);
   assert.deepEqual(await type('cd -; pwd; cd; pwd; cd ~/ros2_ws; pwd'), ['~', '/home/user', '/home/user', '/home/user/ros2_ws']);
@@ -96,7 +99,8 @@ test('each terminal has a folder of its own, and all see the same files', async 
   await first.type('mkdir -p ~/notes/deep && cd ~/notes');
   assert.deepEqual(await first.type('echo hello > a.txt && echo more >> a.txt'), []);
   assert.deepEqual(await second.type('pwd; cat notes/a.txt; ls notes'), ['/home/user', 'hello', 'more', 'a.txt  deep']);
-  assert.deepEqual(await second.type('rm notes/a.txt; ls notes; rm notes; rm -r notes; ls'), ['deep', "! rm: cannot remove 'notes': Is a directory", 'ros2_ws']);
+  assert.deepEqual(await second.type('rm notes/a.txt; ls notes; rm notes; rm -r notes; ls'), ['deep', "! rm: cannot remove 'notes': Is a directory",
+    'ros2_ws']);
 });
 
 test('files are read, counted, sorted and searched, alone and in pipes', async () => {
@@ -104,9 +108,13 @@ test('files are read, counted, sorted and searched, alone and in pipes', async (
   await type('cd ~/ros2_ws/src/lab_py');
   assert.deepEqual(await type('cat setup.py'), ['from setuptools import setup', 'setup(name="lab_py")']);
   assert.deepEqual(await type('head -n 1 setup.py; head -1 setup.py; tail -n 1 setup.py; tail -n +2 setup.py'), [
-    'from setuptools import setup', 'from setuptools import setup', 'setup(name="lab_py")', 'setup(name="lab_py")',
+    'from setuptools import setup',
+    'from setuptools import setup',
+    'setup(name="lab_py")',
+    'setup(name="lab_py")',
   ]);
-  assert.deepEqual(await type('head -n 1 setup.py lab_py/talk.py'), ['==> setup.py <==', 'from setuptools import setup', '', '==> lab_py/talk.py <==', 'import rclpy']);
+  assert.deepEqual(await type('head -n 1 setup.py lab_py/talk.py'), ['==> setup.py <==', 'from setuptools import setup', '', '==> lab_py/talk.py <==',
+    'import rclpy']);
   assert.deepEqual(await type('wc -l setup.py'), ['2 setup.py']);
   assert.deepEqual(await type('wc setup.py'), ['      2       5      50 setup.py']);
   assert.deepEqual(await type('cat setup.py lab_py/talk.py | grep -n rclpy | wc -l'), ['3']);
@@ -161,18 +169,26 @@ test('editors open the panel Source, also by folder and with a line', async () =
   assert.match((await type('echo x > setup.py'))[0] ?? '', /^! setup\.py: a source of the site\. nano setup\.py opens it/);
   assert.match((await type('rm setup.py'))[0] ?? '', /the site has it/);
   assert.deepEqual(await type('echo x > /etc/passwd; mkdir /x; touch /y'), [
-    '! bash: /etc/passwd: Permission denied', '! mkdir: /x: Permission denied', '! touch: /y: Permission denied',
+    '! bash: /etc/passwd: Permission denied',
+    '! mkdir: /x: Permission denied',
+    '! touch: /y: Permission denied',
   ]);
 });
 
 test('ros2 pkg create makes the files of a package, and says what they are for', async () => {
   const { type } = openShell();
-  const said = await type('cd ~/ros2_ws/src && ros2 pkg create --build-type ament_python --node-name my_node my_package --license Apache-2.0 --dependencies rclpy std_msgs');
+  const said = await type(
+    'cd ~/ros2_ws/src && ros2 pkg create --build-type ament_python --node-name my_node my_package --license Apache-2.0 --dependencies rclpy std_msgs',
+  );
   assert.equal(said[0], 'going to create a new package');
   assert.ok(said.includes('build type: ament_python') && said.includes("dependencies: ['rclpy', 'std_msgs']"), said.join('\n'));
   assert.match(said.at(-1) ?? '', /^! my_package is in this page only/);
   assert.deepEqual(await type('ls my_package my_package/my_package'), [
-    'my_package:', 'my_package  package.xml  resource  setup.cfg  setup.py', '', 'my_package/my_package:', '__init__.py  my_node.py',
+    'my_package:',
+    'my_package  package.xml  resource  setup.cfg  setup.py',
+    '',
+    'my_package/my_package:',
+    '__init__.py  my_node.py',
   ]);
   assert.deepEqual(await type('cat my_package/package.xml | grep depend'), ['  <depend>rclpy</depend>', '  <depend>std_msgs</depend>']);
   assert.match((await type('grep console -A my_package/setup.py; grep "my_node =" my_package/setup.py')).at(-1) ?? '', /'my_node = my_package\.my_node:main'/);
@@ -185,8 +201,12 @@ test('ros2 pkg create makes the files of a package, and says what they are for',
 test('the daemon answers as the tool does; what needs nothing here says so', async () => {
   const { opened, type } = openShell();
   assert.deepEqual(await type('ros2 daemon status; ros2 daemon stop; ros2 daemon stop; ros2 daemon status; ros2 daemon start; ros2 daemon start'), [
-    'The daemon is running', 'The daemon has been stopped', 'The daemon is not running', 'The daemon is not running',
-    'The daemon has been started', 'The daemon is already running',
+    'The daemon is running',
+    'The daemon has been stopped',
+    'The daemon is not running',
+    'The daemon is not running',
+    'The daemon has been started',
+    'The daemon is already running',
   ]);
   const said = await type('cd ~/ros2_ws && colcon build --symlink-install && source install/setup.bash && ros2 run tf2_tools view_frames');
   assert.match(said[0] ?? '', /changes of Python files apply when their nodes restart.*C\+\+ is built where the site is packed/);

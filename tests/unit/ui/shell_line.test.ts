@@ -11,7 +11,11 @@ test('a line is a sequence of commands with filters and a file; quotes hide what
     { when: 'always', words: ['c'], filters: [] },
     { when: 'failed', words: ['d', ';'], filters: [] },
   ]);
-  assert.deepEqual(shellSteps("ros2 topic pub /t T '{a: \"b && c\"}' -1;"), [{ when: 'always', words: ['ros2', 'topic', 'pub', '/t', 'T', '{a: "b && c"}', '-1'], filters: [] }]);
+  assert.deepEqual(shellSteps('ros2 topic pub /t T \'{a: "b && c"}\' -1;'), [{
+    when: 'always',
+    words: ['ros2', 'topic', 'pub', '/t', 'T', '{a: "b && c"}', '-1'],
+    filters: [],
+  }]);
   assert.deepEqual(shellSteps('ros2 param dump /x >x.yaml')?.[0]?.target, 'x.yaml');
   assert.deepEqual(shellSteps('a#b')?.[0]?.words, ['a#b']);
   assert.deepEqual(shellSteps('  '), []);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LineSegments, Points } from 'three';
-import { kSimShapes, freeName, momentsOf, sdfOf } from '../../../runtime/site/ui/model/sim_shapes.ts';
+import { SIM_SHAPES, freeName, momentsOf, sdfOf } from '../../../runtime/site/ui/model/sim_shapes.ts';
 import { linkOf, modelOf, readPace, SimWorld } from '../../../runtime/site/ui/model/sim_world.ts';
 import { readSimulation, writeSimulation } from '../../../runtime/site/ui/model/simulation_options.ts';
 import { worldOf } from '../../../runtime/site/ui/parts/sim_client.ts';
@@ -10,7 +10,8 @@ import { scanRays } from '../../../runtime/site/ui/scene/scan_rays.ts';
 
 const upright = { x: 0, y: 0, z: 0, w: 1 };
 const transform = (parent: string, child: string, x = 0): unknown => ({
-  header: { stamp: { sec: 1, nanosec: 0 }, frame_id: parent }, child_frame_id: child,
+  header: { stamp: { sec: 1, nanosec: 0 }, frame_id: parent },
+  child_frame_id: child,
   transform: { translation: { x, y: 0, z: 0 }, rotation: upright },
 });
 const whole = (...links: readonly unknown[]): unknown => ({ transforms: [transform('', 'world'), ...links] });
@@ -37,7 +38,10 @@ test('a whole message has the models, others move their links', () => {
 test('frames of sensors are found by the names that messages have', () => {
   const world = new SimWorld();
   world.take(whole(
-    transform('world', 'a::base'), transform('world', 'b::base'), transform('b::base', 'b::base::laser_frame'), transform('b::base', 'b::base::scan'),
+    transform('world', 'a::base'),
+    transform('world', 'b::base'),
+    transform('b::base', 'b::base::laser_frame'),
+    transform('b::base', 'b::base::scan'),
   ));
   assert.equal(world.frameOf('b/base/scan'), 'b::base::scan'); // as Gazebo Sim scopes it
   assert.equal(world.frameOf('/laser_frame'), 'b::base::laser_frame');
@@ -70,7 +74,7 @@ test('an object that is added is solid and even, and has a name of its own', () 
   assert.deepEqual(momentsOf('sphere').map((value) => value.toFixed(6)), ['0.009000', '0.009000']);
   assert.deepEqual(momentsOf('box').map((value) => value.toFixed(6)), ['0.015000', '0.015000']);
   assert.deepEqual(momentsOf('cylinder').map((value) => value.toFixed(6)), ['0.013125', '0.011250']);
-  for (const shape of kSimShapes) assert.match(sdfOf(shape, 'mine'), new RegExp(`<model name="mine">.*<${shape}>.*</${shape}>`));
+  for (const shape of SIM_SHAPES) assert.match(sdfOf(shape, 'mine'), new RegExp(`<model name="mine">.*<${shape}>.*</${shape}>`));
   assert.equal(freeName('box', new Set()), 'box');
   assert.equal(freeName('box', new Set(['box', 'box_1', 'box_3'])), 'box_2');
 });
@@ -79,15 +83,31 @@ test('the state of the panel is read as hostile, and written without what is usu
   const usual = readSimulation(null);
   assert.ok(usual.flags.shadows && usual.flags.grid && usual.list && !usual.flags.collisions);
   assert.deepEqual(Object.keys(writeSimulation(usual) as object), ['view', 'list']);
-  const odd = readSimulation({ view: { azimuth: 1, elevation: 0.5 }, shadows: false, rays: true, grid: 'no', follow: 3, list: 0, images: [{ topic: '/camera' }] });
+  const odd = readSimulation({
+    view: { azimuth: 1, elevation: 0.5 },
+    shadows: false,
+    rays: true,
+    grid: 'no',
+    follow: 3,
+    list: 0,
+    images: [{ topic: '/camera' }],
+  });
   assert.deepEqual([odd.flags.shadows, odd.flags.rays, odd.flags.grid, odd.follow, odd.list], [false, true, true, '', true]);
   assert.deepEqual(readSimulation(writeSimulation({ ...odd, follow: 'rover::base' })), { ...odd, follow: 'rover::base' });
 });
 
 test('the world is the one whose control a node offers', () => {
   const offering = (name: string) => ({
-    nodes: [{ name: '/n', process: '', publishers: [], subscriptions: [], clients: [], actionServers: [], actionClients: [],
-      services: [{ name, type: 'ros_gz_interfaces/srv/ControlWorld', hash: '', qos: {} as never, gid: '' }] }],
+    nodes: [{
+      name: '/n',
+      process: '',
+      publishers: [],
+      subscriptions: [],
+      clients: [],
+      actionServers: [],
+      actionClients: [],
+      services: [{ name, type: 'ros_gz_interfaces/srv/ControlWorld', hash: '', qos: {} as never, gid: '' }],
+    }],
   });
   assert.equal(worldOf(offering('/_gz/world/yard/control')), 'yard');
   // A bridge offers it under its plain name; that is not the simulator.
@@ -96,12 +116,19 @@ test('the world is the one whose control a node offers', () => {
 
 test('rays go from the sensor to what they met', () => {
   const { object, problem } = scanRays('#ff0000')({
-    header: { frame_id: 'a' }, angle_min: 0, angle_increment: Math.PI / 2, range_min: 0.1, range_max: 10, ranges: [2, Infinity, 3], intensities: [],
+    header: { frame_id: 'a' },
+    angle_min: 0,
+    angle_increment: Math.PI / 2,
+    range_min: 0.1,
+    range_max: 10,
+    ranges: [2, Infinity, 3],
+    intensities: [],
   });
   assert.equal(problem, '');
   const [lines, dots] = object?.children ?? [];
   assert.ok(lines instanceof LineSegments && dots instanceof Points);
-  assert.deepEqual(Array.from(lines.geometry.getAttribute('position').array as Float32Array, (value) => Math.round(value) + 0), [0, 0, 0, 2, 0, 0, 0, 0, 0, -3, 0, 0]);
+  assert.deepEqual(Array.from(lines.geometry.getAttribute('position').array as Float32Array, (value) => Math.round(value) + 0), [0, 0, 0, 2, 0, 0, 0, 0, 0, -3,
+    0, 0]);
   assert.equal(dots.geometry.getAttribute('position').count, 2);
   assert.notEqual(scanRays('#ff0000')({}).problem, '');
 });

@@ -5,7 +5,10 @@ import { completeInput, expandTabs, readHistory } from '../../../runtime/site/ui
 
 test('one choice is taken, several as far as they agree, then they are shown', () => {
   assert.deepEqual(completeInput('ros2 to', { word: 'to', start: 5, choices: ['topic'] }), { kind: 'line', line: 'ros2 topic ' });
-  assert.deepEqual(completeInput('echo /tu', { word: '/tu', start: 5, choices: ['/turtle1/cmd_vel', '/turtle1/pose'] }), { kind: 'line', line: 'echo /turtle1/' });
+  assert.deepEqual(completeInput('echo /tu', { word: '/tu', start: 5, choices: ['/turtle1/cmd_vel', '/turtle1/pose'] }), {
+    kind: 'line',
+    line: 'echo /turtle1/',
+  });
   assert.deepEqual(completeInput('echo /t', { word: '/t', start: 5, choices: ['/ta', '/tb'] }), { kind: 'choices', choices: ['/ta', '/tb'] });
   assert.deepEqual(completeInput('x', { word: 'x', start: 0, choices: [] }), { kind: 'nothing' });
 });

@@ -9,12 +9,19 @@ import { pubCommand } from '../../../runtime/site/ui/model/pub_command.ts';
 import { misfitsOf, topicEndsOf } from '../../../runtime/site/ui/model/topic_qos.ts';
 import type { EndpointQosView, GraphEndpointView, GraphNodeView } from '../../../runtime/site/contract/session.ts';
 
-const kUsual: EndpointQosView = {
-  reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,
+const USUAL: EndpointQosView = {
+  reliability: 'reliable',
+  durability: 'volatile',
+  history: 'keep_last',
+  depth: 10,
+  liveliness: 'automatic',
+  deadlineNs: 0,
+  lifespanNs: 0,
+  leaseNs: 0,
 };
 
 function endpoint(qos: Partial<EndpointQosView> = {}, type = 'std_msgs/msg/String'): GraphEndpointView {
-  return { name: '/topic', type, hash: '', gid: '', qos: { ...kUsual, ...qos } };
+  return { name: '/topic', type, hash: '', gid: '', qos: { ...USUAL, ...qos } };
 }
 
 function node(name: string, has: Partial<GraphNodeView>): GraphNodeView {
@@ -56,8 +63,15 @@ test('a message copied as a command comes back the same, whatever is in its text
     ['demo/msg/Inner', 'float64 x\nstring name\n'],
   ]));
   const value = {
-    text: "it's {a: 1}, [x] \"q\" \\ # \n\t\u2028 yes \u0085 null 'quoted'", number: -0.5, big: -9223372036854775808n, flag: true,
-    list: [Number.NaN, Number.POSITIVE_INFINITY, 1e-7], bytes: [0, 255], inner: { x: 1e300, name: '' }, more: [{ x: 0, name: 'no' }, { x: 2, name: '~' }], words: ['1', '1.0', 'true', ''],
+    text: "it's {a: 1}, [x] \"q\" \\ # \n\t\u2028 yes \u0085 null 'quoted'",
+    number: -0.5,
+    big: -9223372036854775808n,
+    flag: true,
+    list: [Number.NaN, Number.POSITIVE_INFINITY, 1e-7],
+    bytes: [0, 255],
+    inner: { x: 1e300, name: '' },
+    more: [{ x: 0, name: 'no' }, { x: 2, name: '~' }],
+    words: ['1', '1.0', 'true', ''],
   };
   const made = codec.encode('demo/msg/All', value);
   assert.equal(made.kind, 'bytes');

@@ -1,14 +1,12 @@
 // The tree of frames: where one frame is in another, now and then, and trees that are none.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import {
-  compose, fromRollPitchYaw, inverse, kIdentity, readPose, readQuaternion, rotate, toRollPitchYaw,
-} from '../../../runtime/site/ui/model/transform.ts';
+import { compose, fromRollPitchYaw, inverse, IDENTITY, readPose, readQuaternion, rotate, toRollPitchYaw } from '../../../runtime/site/ui/model/transform.ts';
 import type { Transform, Vector } from '../../../runtime/site/ui/model/transform.ts';
 import { TransformTree } from '../../../runtime/site/ui/model/transform_tree.ts';
 
 const quarter = fromRollPitchYaw(0, 0, Math.PI / 2);
-const by = (x: number, y = 0, z = 0, rotation = kIdentity.rotation): Transform => ({ translation: [x, y, z], rotation });
+const by = (x: number, y = 0, z = 0, rotation = IDENTITY.rotation): Transform => ({ translation: [x, y, z], rotation });
 
 function near(found: Vector, wanted: Vector): void {
   for (const [index, part] of wanted.entries())
@@ -52,7 +50,11 @@ test('a frame is found through its parents, up and down', () => {
   near(places.get('laser')?.translation ?? assert.fail(), [1, -2.5, 0]);
   assert.deepEqual(tree.roots(), ['map']);
   assert.deepEqual(tree.views().map(({ name, parent, isStatic }) => [name, parent, isStatic]), [
-    ['base', 'odom', false], ['camera', 'odom', false], ['laser', 'base', true], ['map', null, true], ['odom', 'map', false],
+    ['base', 'odom', false],
+    ['camera', 'odom', false],
+    ['laser', 'base', true],
+    ['map', null, true],
+    ['odom', 'map', false],
   ]);
 });
 
@@ -112,9 +114,15 @@ test('loops, trees apart and frames that nobody knows are told', () => {
 test('what is not a transform is refused', () => {
   const tree = new TransformTree();
   const refused: readonly unknown[] = [
-    message('odom', 'base', NaN), message('odom', 'base', Infinity), message('odom', 'base', 1, 1, 0),
-    message('', 'base', 1), message('odom', '', 1), message('base', '/base', 1), message('odom', 'x'.repeat(300), 1),
-    { transforms: [null] }, { transforms: [{}] },
+    message('odom', 'base', NaN),
+    message('odom', 'base', Infinity),
+    message('odom', 'base', 1, 1, 0),
+    message('', 'base', 1),
+    message('odom', '', 1),
+    message('base', '/base', 1),
+    message('odom', 'x'.repeat(300), 1),
+    { transforms: [null] },
+    { transforms: [{}] },
   ];
   for (const one of refused) assert.equal(tree.addMessage(one, false), false);
   assert.equal(tree.refused, refused.length);
@@ -131,6 +139,6 @@ test('poses that nobody turned are upright', () => {
   const zero = { x: 0, y: 0, z: 0, w: 0 };
   assert.deepEqual(readPose({ position: { x: 1, y: 2, z: 3 }, orientation: zero }), by(1, 2, 3));
   assert.deepEqual(readQuaternion({ x: 0, y: 0, z: 0, w: 2 }, null), [0, 0, 0, 1]);
-  assert.equal(readQuaternion({ x: 0, y: 0, z: 0, w: NaN }, kIdentity.rotation), null);
+  assert.equal(readQuaternion({ x: 0, y: 0, z: 0, w: NaN }, IDENTITY.rotation), null);
   assert.equal(readPose({ position: { x: 1 }, orientation: zero }), null);
 });

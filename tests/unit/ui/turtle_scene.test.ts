@@ -4,13 +4,20 @@ import { test } from 'node:test';
 import { readPicture, readScene, Sheet } from '../../../runtime/site/ui/model/turtle_scene.ts';
 import type { Picture, Scene } from '../../../runtime/site/ui/model/turtle_scene.ts';
 
-const kTurtle = { name: 'turtle1', x: 1, y: 2, theta: 0.5, shape: 3, pen: [1, 2, 3], pen_width: 3, pen_on: true };
+const TURTLE = { name: 'turtle1', x: 1, y: 2, theta: 0.5, shape: 3, pen: [1, 2, 3], pen_width: 3, pen_on: true };
 
 /** A scene with strokes whose x1 is their number. */
 function scene(picture: number, first: number, count: number): Scene {
   const strokes = Array.from({ length: count }, (_, i) => ({ x1: first + i, y1: 0, x2: 0, y2: 0, r: 9, g: 8, b: 7, width: 3 }));
   const read = readScene({
-    width: 500, height: 400, meter: 45, background: new Uint8Array([69, 86, 255]), turtles: [kTurtle], picture, first, strokes,
+    width: 500,
+    height: 400,
+    meter: 45,
+    background: new Uint8Array([69, 86, 255]),
+    turtles: [TURTLE],
+    picture,
+    first,
+    strokes,
   });
   return read ?? assert.fail();
 }
@@ -19,8 +26,7 @@ function picture(number: number, strokes: number): Picture {
   return { picture: number, strokes, width: 1, height: 1, rgba: new Uint8ClampedArray(4) };
 }
 
-const numbers = (strokes: readonly { readonly x1: number }[] | null): readonly number[] | null =>
-  strokes === null ? null : strokes.map(({ x1 }) => x1);
+const numbers = (strokes: readonly { readonly x1: number; }[] | null): readonly number[] | null => strokes === null ? null : strokes.map(({ x1 }) => x1);
 
 test('a scene is read as it is', () => {
   const read = scene(1, 0, 1);
@@ -87,22 +93,37 @@ test('of a scene with too many strokes the newest are drawn, and the picture is 
 
 test('a picture is its runs of pixels', () => {
   const read = readPicture({
-    picture: 4, strokes: 2, width: 2, height: 2,
-    lengths: new Uint32Array([1, 2, 1]), colors: new Uint32Array([0xff010203, 0, 0xff0a0b0c]),
+    picture: 4,
+    strokes: 2,
+    width: 2,
+    height: 2,
+    lengths: new Uint32Array([1, 2, 1]),
+    colors: new Uint32Array([0xff010203, 0, 0xff0a0b0c]),
   });
   assert.deepEqual([...(read?.rgba ?? [])], [1, 2, 3, 255, 0, 0, 0, 0, 0, 0, 0, 0, 10, 11, 12, 255]);
   assert.deepEqual([read?.picture, read?.strokes], [4, 2]);
 });
 
 test('what is wrong or too large shows nothing', () => {
-  for (const value of [null, 7, 'x', [], {}, { width: 0, height: 5, meter: 45 }, { width: 1e9, height: 500, meter: 45 }, { width: 500, height: 500, meter: Number.NaN }])
+  for (
+    const value of [null, 7, 'x', [], {}, { width: 0, height: 5, meter: 45 }, { width: 1e9, height: 500, meter: 45 }, {
+      width: 500,
+      height: 500,
+      meter: Number.NaN,
+    }]
+  )
     assert.equal(readScene(value), null, JSON.stringify(value));
   assert.equal(readPicture({ width: 2, height: 2, lengths: [5], colors: [0xff000000] }), null);
   assert.equal(readPicture({ width: 2, height: 2, lengths: [-1, 2], colors: [0, 0xff000000] }), null);
   assert.equal(readPicture({ width: 60000, height: 60000, lengths: [], colors: [] }), null);
   const odd = readScene({
-    width: 500, height: 500, meter: 45, picture: 1, first: 0, background: 'red',
-    turtles: [null, { ...kTurtle, x: Infinity }, { ...kTurtle, name: 7 }, { ...kTurtle, name: 'x'.repeat(1000) }],
+    width: 500,
+    height: 500,
+    meter: 45,
+    picture: 1,
+    first: 0,
+    background: 'red',
+    turtles: [null, { ...TURTLE, x: Infinity }, { ...TURTLE, name: 7 }, { ...TURTLE, name: 'x'.repeat(1000) }],
     strokes: [null, { r: 1e9, g: -4, b: 'x' }],
   });
   assert.deepEqual(odd?.turtles.map(({ name }) => name.length), [80]);

@@ -3,19 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isHiddenTopic } from '../../../runtime/site/ui/model/hidden_names.ts';
 import { problemOf, problemText } from '../../../runtime/site/ui/model/problem.ts';
-import {
-  readText,
-  readPreference,
-  readTheme,
-  writePreference,
-} from '../../../runtime/site/ui/model/preferences.ts';
-import {
-  formatBandwidth,
-  formatBytes,
-  formatCount,
-  formatDuration,
-  formatRate,
-} from '../../../runtime/site/ui/model/quantities.ts';
+import { readText, readPreference, readTheme, writePreference } from '../../../runtime/site/ui/model/preferences.ts';
+import { formatBandwidth, formatBytes, formatCount, formatDuration, formatRate } from '../../../runtime/site/ui/model/quantities.ts';
 
 test('rates, bandwidths, sizes and durations', () => {
   assert.equal(formatRate(0), '\u2013');

@@ -7,8 +7,27 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 
 const modules = [
-  'argparse', 'ast', 'collections', 'configparser', 'contextlib', 'dataclasses', 'enum', 'fnmatch', 'functools', 'glob',
-  'importlib.util', 'json', 'os', 'pathlib', 'posixpath', 're', 'runpy', 'sys', 'traceback', 'types', 'typing',
+  'argparse',
+  'ast',
+  'collections',
+  'configparser',
+  'contextlib',
+  'dataclasses',
+  'enum',
+  'fnmatch',
+  'functools',
+  'glob',
+  'importlib.util',
+  'json',
+  'os',
+  'pathlib',
+  'posixpath',
+  're',
+  'runpy',
+  'sys',
+  'traceback',
+  'types',
+  'typing',
 ];
 const someDay = Date.UTC(2000, 0, 1);
 
@@ -20,7 +39,10 @@ process.env['TZ'] = 'UTC';
 const env = { HOME: '/home', LANG: 'C.UTF-8', PYTHONHASHSEED: '0' };
 let looks = 0;
 Date.now = () => someDay;
-performance.now = () => { looks += 1; return looks; };
+performance.now = () => {
+  looks += 1;
+  return looks;
+};
 Object.defineProperty(globalThis.crypto, 'getRandomValues', {
   value: (view) => {
     new Uint8Array(view.buffer, view.byteOffset, view.byteLength).fill(1);
@@ -28,7 +50,11 @@ Object.defineProperty(globalThis.crypto, 'getRandomValues', {
   },
 });
 const python = await loadPyodide({
-  indexURL: `${folder}/`, stdLibURL: library, jsglobals: {}, env, _makeSnapshot: true,
+  indexURL: `${folder}/`,
+  stdLibURL: library,
+  jsglobals: {},
+  env,
+  _makeSnapshot: true,
 });
 // Each start puts the present folder on the path.
 python.runPython(`import gc, ${modules.join(', ')}\nsys.path.remove('')\ngc.collect()`);

@@ -10,9 +10,34 @@ import { compiler } from './compiler.mjs';
 
 /** With all that these import. tests/unit/bundler/compiled_stdlib.test.ts proves that nothing is missing. */
 const modules = [
-  '__future__', '_threading_local', 'asyncio', 'contextlib', 'copy', 'dataclasses', 'encodings.cp437', 'enum', 'functools', 'hashlib', 'importlib.util', 'inspect', 'json',
-  'locale', 'logging', 'pathlib', 'queue', 'random', 're', 'runpy', 'signal', 'struct', 'threading', 'traceback', 'typing', 'warnings',
-  'weakref', 'zipfile',
+  '__future__',
+  '_threading_local',
+  'asyncio',
+  'contextlib',
+  'copy',
+  'dataclasses',
+  'encodings.cp437',
+  'enum',
+  'functools',
+  'hashlib',
+  'importlib.util',
+  'inspect',
+  'json',
+  'locale',
+  'logging',
+  'pathlib',
+  'queue',
+  'random',
+  're',
+  'runpy',
+  'signal',
+  'struct',
+  'threading',
+  'traceback',
+  'typing',
+  'warnings',
+  'weakref',
+  'zipfile',
 ];
 /** A large one among them that is compiled quickly, as it is documentation. */
 const spared = '_pyodide/_core_docs';

@@ -99,8 +99,8 @@ export function parseAnsi(text: string): readonly Span[] {
 export function stripAnsi(text: string): string {
   return hasControl(text)
     ? parseAnsi(text)
-        .map((span) => span.text)
-        .join('')
+      .map((span) => span.text)
+      .join('')
     : text;
 }
 
@@ -174,10 +174,9 @@ function endOfString(text: string, from: number): number {
 }
 
 function applySgr(before: AnsiStyle, parameters: string): AnsiStyle {
-  const numbers =
-    parameters === ''
-      ? [0]
-      : parameters.split(/[;:]/).map((part) => (part === '' ? 0 : Number(part)));
+  const numbers = parameters === ''
+    ? [0]
+    : parameters.split(/[;:]/).map((part) => (part === '' ? 0 : Number(part)));
   let style = before;
   for (let i = 0; i < numbers.length; i += 1) {
     const n = numbers[i] ?? 0;
@@ -202,8 +201,7 @@ function applySgr(before: AnsiStyle, parameters: string): AnsiStyle {
     else if (n === 38 || n === 48) {
       const rich = readRichColor(numbers, i + 1);
       if (rich.color !== null) {
-        style =
-          n === 38 ? { ...style, foreground: rich.color } : { ...style, background: rich.color };
+        style = n === 38 ? { ...style, foreground: rich.color } : { ...style, background: rich.color };
       }
       i = rich.last;
     }
@@ -216,7 +214,7 @@ function applySgr(before: AnsiStyle, parameters: string): AnsiStyle {
 function readRichColor(
   numbers: readonly number[],
   at: number,
-): { color: number | null; last: number } {
+): { color: number | null; last: number; } {
   if (numbers[at] === 5) {
     const n = numbers[at + 1];
     return { color: n === undefined || n > 255 ? null : fromCube(n), last: at + 1 };

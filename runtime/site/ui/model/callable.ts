@@ -10,11 +10,11 @@ export interface Callable {
 }
 
 /** Services that every node has, for its parameters, type descriptions and logger levels. */
-const kEveryNode = /^(?:rcl_interfaces|type_description_interfaces)\/srv\//;
+const EVERY_NODE = /^(?:rcl_interfaces|type_description_interfaces)\/srv\//;
 
 /** One that somebody made, and that is not hidden. */
-export function isShownService({ name, type }: { readonly name: string; readonly type: string }): boolean {
-  return !isHiddenName(name) && !kEveryNode.test(type);
+export function isShownService({ name, type }: { readonly name: string; readonly type: string; }): boolean {
+  return !isHiddenName(name) && !EVERY_NODE.test(type);
 }
 
 /** With `all`: hidden ones, too, and those that every node has. */

@@ -18,18 +18,18 @@ export interface CameraLimits {
 }
 
 /** Small drawings are not blown up. */
-export const kDrawingLimits: CameraLimits = { least: 0.05, most: 4, mostFitted: 1.1, margin: 16 };
+export const DRAWING_LIMITS: CameraLimits = { least: 0.05, most: 4, mostFitted: 1.1, margin: 16 };
 /** A picture fills its room, however small it is. */
-export const kPictureLimits: CameraLimits = { least: 0.01, most: 512, mostFitted: 512, margin: 0 };
+export const PICTURE_LIMITS: CameraLimits = { least: 0.01, most: 512, mostFitted: 512, margin: 0 };
 
-export function fitted(bounds: Place, view: Size, limits = kDrawingLimits): Camera {
+export function fitted(bounds: Place, view: Size, limits = DRAWING_LIMITS): Camera {
   const room = (whole: number, needed: number): number => Math.max(1, whole - 2 * limits.margin) / Math.max(1, needed);
   const scale = clamp(Math.min(room(view.width, bounds.width), room(view.height, bounds.height), limits.mostFitted), limits);
   return { scale, x: view.width / 2 - scale * bounds.x, y: view.height / 2 - scale * bounds.y };
 }
 
 /** `at`, a point of the view, stays where it is. */
-export function zoomed(camera: Camera, factor: number, at: Point, limits = kDrawingLimits): Camera {
+export function zoomed(camera: Camera, factor: number, at: Point, limits = DRAWING_LIMITS): Camera {
   const scale = clamp(camera.scale * factor, limits);
   const by = scale / camera.scale;
   return { scale, x: at.x - by * (at.x - camera.x), y: at.y - by * (at.y - camera.y) };
@@ -40,7 +40,7 @@ export function moved(camera: Camera, by: Point): Camera {
 }
 
 /** Moved no more than needed to see that place. */
-export function showing(camera: Camera, place: Place, view: Size, { margin } = kDrawingLimits): Camera {
+export function showing(camera: Camera, place: Place, view: Size, { margin } = DRAWING_LIMITS): Camera {
   const shift = (at: number, half: number, whole: number): number => {
     const [first, last] = [at - half, at + half];
     if (2 * half > whole - 2 * margin) return whole / 2 - at;

@@ -16,7 +16,7 @@ export interface CameraView {
   readonly top: boolean;
 }
 
-export const kUsualView: CameraView = {
+export const USUAL_VIEW: CameraView = {
   target: [0, 0, 0],
   distance: 6,
   azimuth: Math.PI / 4,
@@ -25,16 +25,16 @@ export const kUsualView: CameraView = {
 };
 
 /** The angle of view over the picture's height, in radians. */
-export const kFieldOfView = Math.PI / 4;
+export const FIELD_OF_VIEW = Math.PI / 4;
 
-const kLeastDistance = 0.01;
-const kMostDistance = 1e5;
-const kFarthest = 1e6;
-const kSteepest = Math.PI / 2 - 0.001;
+const LEAST_DISTANCE = 0.01;
+const MOST_DISTANCE = 1e5;
+const FARTHEST = 1e6;
+const STEEPEST = Math.PI / 2 - 0.001;
 
 /** Metres, in the distance of the target, for one pixel of a picture so many pixels high. */
 export function metresPerPixel(view: CameraView, height: number): number {
-  return (2 * view.distance * Math.tan(kFieldOfView / 2)) / Math.max(1, height);
+  return (2 * view.distance * Math.tan(FIELD_OF_VIEW / 2)) / Math.max(1, height);
 }
 
 export function eyeOf({ target: [x, y, z], distance, azimuth, elevation, top }: CameraView): Vector {
@@ -50,7 +50,7 @@ export function turned(view: CameraView, dx: number, dy: number, height: number)
   return {
     ...view,
     azimuth: wrapped(view.azimuth - dx * scale),
-    elevation: Math.max(-kSteepest, Math.min(kSteepest, elevation)),
+    elevation: Math.max(-STEEPEST, Math.min(STEEPEST, elevation)),
   };
 }
 
@@ -58,15 +58,14 @@ export function turned(view: CameraView, dx: number, dy: number, height: number)
 export function panned(view: CameraView, dx: number, dy: number, height: number): CameraView {
   const scale = metresPerPixel(view, height);
   const [right, up] = axesOf(view);
-  const part = (index: 0 | 1 | 2): number =>
-    bounded(view.target[index] - dx * scale * right[index] + dy * scale * up[index], kFarthest);
+  const part = (index: 0 | 1 | 2): number => bounded(view.target[index] - dx * scale * right[index] + dy * scale * up[index], FARTHEST);
   return { ...view, target: [part(0), part(1), part(2)] };
 }
 
 /** Nearer for factors below one. */
 export function zoomed(view: CameraView, factor: number): CameraView {
   if (!(factor > 0)) return view;
-  return { ...view, distance: Math.max(kLeastDistance, Math.min(kMostDistance, view.distance * factor)) };
+  return { ...view, distance: Math.max(LEAST_DISTANCE, Math.min(MOST_DISTANCE, view.distance * factor)) };
 }
 
 /** The picture's right and up. */
@@ -87,12 +86,12 @@ function bounded(value: number, most: number): number {
 
 /** From a link or what the browser kept; what is missing or wrong is as usual. */
 export function readView(state: unknown): CameraView {
-  const at = (name: string, usual: number): number => numberMember(state, name, -kFarthest, kFarthest, usual);
+  const at = (name: string, usual: number): number => numberMember(state, name, -FARTHEST, FARTHEST, usual);
   return {
     target: [at('x', 0), at('y', 0), at('z', 0)],
-    distance: numberMember(state, 'distance', kLeastDistance, kMostDistance, kUsualView.distance),
-    azimuth: numberMember(state, 'azimuth', -Math.PI, Math.PI, kUsualView.azimuth),
-    elevation: numberMember(state, 'elevation', -kSteepest, kSteepest, kUsualView.elevation),
+    distance: numberMember(state, 'distance', LEAST_DISTANCE, MOST_DISTANCE, USUAL_VIEW.distance),
+    azimuth: numberMember(state, 'azimuth', -Math.PI, Math.PI, USUAL_VIEW.azimuth),
+    elevation: numberMember(state, 'elevation', -STEEPEST, STEEPEST, USUAL_VIEW.elevation),
     top: flagMember(state, 'top', false),
   };
 }
@@ -100,7 +99,9 @@ export function readView(state: unknown): CameraView {
 export function writeView({ target: [x, y, z], distance, azimuth, elevation, top }: CameraView): Json {
   const short = (value: number): number => Number(value.toPrecision(4));
   return {
-    x: short(x), y: short(y), z: short(z),
+    x: short(x),
+    y: short(y),
+    z: short(z),
     distance: short(distance),
     // Short of half a turn, which rounding may pass.
     azimuth: bounded(short(azimuth), 3.141),

@@ -5,8 +5,8 @@ import { joined } from './notebook.ts';
 import type { CellOutput } from './notebook.ts';
 
 /** Characters of one stream that are kept. */
-const kMostText = 2 << 20;
-const kMostOutputs = 1000;
+const MOST_TEXT = 2 << 20;
+const MOST_OUTPUTS = 1000;
 
 export interface ShownOutputs {
   readonly outputs: readonly CellOutput[];
@@ -34,18 +34,22 @@ export function withEvent(shown: ShownOutputs, said: KernelEvent): ShownOutputs 
     }
     case 'update': {
       const places = shown.names.get(said.display_id ?? '') ?? [];
-      const outputs = shown.outputs.map((output, index) =>
-        places.includes(index) ? { ...output, data: said.data, metadata: said.metadata } : output,
-      );
+      const outputs = shown.outputs.map((output, index) => places.includes(index) ? { ...output, data: said.data, metadata: said.metadata } : output);
       return { ...shown, outputs };
     }
     case 'result':
       return added(fresh(shown), {
-        output_type: 'execute_result', data: said.data, metadata: said.metadata, execution_count: said.count,
+        output_type: 'execute_result',
+        data: said.data,
+        metadata: said.metadata,
+        execution_count: said.count,
       });
     case 'error':
       return added(fresh(shown), {
-        output_type: 'error', ename: said.ename, evalue: said.evalue, traceback: said.traceback,
+        output_type: 'error',
+        ename: said.ename,
+        evalue: said.evalue,
+        traceback: said.traceback,
       });
     default:
       return shown;
@@ -57,7 +61,7 @@ function fresh(shown: ShownOutputs): ShownOutputs {
 }
 
 function added(shown: ShownOutputs, output: CellOutput): ShownOutputs {
-  return shown.outputs.length >= kMostOutputs ? shown : { ...shown, outputs: [...shown.outputs, output] };
+  return shown.outputs.length >= MOST_OUTPUTS ? shown : { ...shown, outputs: [...shown.outputs, output] };
 }
 
 /** Text follows the text before it. */
@@ -66,7 +70,7 @@ function withStream(shown: ShownOutputs, name: string, text: string): ShownOutpu
   if (last?.['output_type'] !== 'stream' || last['name'] !== name)
     return added(shown, { output_type: 'stream', name, text });
   const whole = carriedBack(joined(last['text']) + text);
-  return { ...shown, outputs: [...shown.outputs.slice(0, -1), { ...last, text: whole.slice(0, kMostText) }] };
+  return { ...shown, outputs: [...shown.outputs.slice(0, -1), { ...last, text: whole.slice(0, MOST_TEXT) }] };
 }
 
 /** A carriage return takes the line back to its begin, as a terminal does: bars of progress do that. */

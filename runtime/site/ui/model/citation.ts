@@ -5,8 +5,16 @@ import type { SiteDescription } from '../../contract/session.ts';
 const months = ['jan', 'feb', 'mar', 'apr', 'may', 'jun', 'jul', 'aug', 'sep', 'oct', 'nov', 'dec'];
 
 const special: Readonly<Record<string, string>> = {
-  '\\': '\\textbackslash{}', '{': '\\{', '}': '\\}', '%': '\\%', '&': '\\&', '#': '\\#', _: '\\_', $: '\\$',
-  '~': '\\textasciitilde{}', '^': '\\textasciicircum{}',
+  '\\': '\\textbackslash{}',
+  '{': '\\{',
+  '}': '\\}',
+  '%': '\\%',
+  '&': '\\&',
+  '#': '\\#',
+  _: '\\_',
+  $: '\\$',
+  '~': '\\textasciitilde{}',
+  '^': '\\textasciicircum{}',
 };
 
 function inBibtex(words: string): string {
@@ -24,8 +32,7 @@ export function bibtex(site: SiteDescription, hash: string | null, address: stri
   const { citation } = site;
   if (citation === undefined) return null;
   const [year = '', month = ''] = citation.date.split('-');
-  const people = site.authors.map(({ family, given }) =>
-    given === '' ? `{${inBibtex(family)}}` : `${inBibtex(family)}, ${inBibtex(given)}`);
+  const people = site.authors.map(({ family, given }) => given === '' ? `{${inBibtex(family)}}` : `${inBibtex(family)}, ${inBibtex(given)}`);
   const fields: readonly (readonly [string, string])[] = [
     ['author', people.join(' and ')],
     ['title', `{${inBibtex(site.title === '' ? site.name : site.title)}}`],

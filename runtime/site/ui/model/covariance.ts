@@ -5,19 +5,19 @@ import { asNumber } from './field_path.ts';
 
 export interface Spread {
   /** Half the length of its axes in metres, the longer one first; null: it says nothing of the place. */
-  readonly ellipse: { readonly radii: readonly [number, number]; readonly angle: number } | null;
+  readonly ellipse: { readonly radii: readonly [number, number]; readonly angle: number; } | null;
   /** Radians to either side; 0: it says nothing of the heading. */
   readonly heading: number;
 }
 
-const kCount = 36;
+const COUNT = 36;
 /** Metres and radians: less is not to be seen, more is "unknown" rather than a measure. */
-const kLeast = 1e-4;
-const kMost = 1e4;
+const LEAST = 1e-4;
+const MOST = 1e4;
 
 /** null: it is not covariance, or says nothing. */
 export function readCovariance(value: unknown): Spread | null {
-  if (!(Array.isArray(value) || value instanceof Float64Array) || value.length !== kCount) return null;
+  if (!(Array.isArray(value) || value instanceof Float64Array) || value.length !== COUNT) return null;
   const at = (row: number, column: number): number => asNumber(value[row * 6 + column]);
   const ellipse = ellipseOf(at(0, 0), (at(0, 1) + at(1, 0)) / 2, at(1, 1));
   const spread = deviation(at(5, 5));
@@ -38,5 +38,5 @@ function ellipseOf(xx: number, xy: number, yy: number): Spread['ellipse'] {
 
 function deviation(variance: number): number {
   const root = Math.sqrt(variance);
-  return root >= kLeast && root <= kMost ? root : 0;
+  return root >= LEAST && root <= MOST ? root : 0;
 }

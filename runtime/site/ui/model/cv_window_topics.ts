@@ -3,14 +3,14 @@
 
 import type { TopicView } from '../../contract/session.ts';
 
-const kTopic = /^\/cv2\/\w+$/;
-const kImage = 'sensor_msgs/msg/Image';
+const TOPIC = /^\/cv2\/\w+$/;
+const IMAGE = 'sensor_msgs/msg/Image';
 
 export function isWindow(topic: string): boolean {
-  return kTopic.test(topic);
+  return TOPIC.test(topic);
 }
 
 /** The windows that a node shows now. */
 export function windowsOf(topics: readonly TopicView[]): readonly string[] {
-  return topics.filter(({ name, type, publishers }) => type === kImage && isWindow(name) && publishers > 0).map(({ name }) => name);
+  return topics.filter(({ name, type, publishers }) => type === IMAGE && isWindow(name) && publishers > 0).map(({ name }) => name);
 }

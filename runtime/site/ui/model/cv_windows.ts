@@ -4,14 +4,25 @@
 import { flagMember, member, numberMember, textMember } from './json.ts';
 
 /** As waitKey() gives them under GTK, cut to a byte. */
-const kNamed: ReadonlyMap<string, number> = new Map([
-  ['Backspace', 8], ['Tab', 9], ['Enter', 13], ['Escape', 27], ['Delete', 255],
-  ['ArrowLeft', 81], ['ArrowUp', 82], ['ArrowRight', 83], ['ArrowDown', 84], ['PageUp', 85], ['PageDown', 86], ['End', 87], ['Home', 80],
+const NAMED: ReadonlyMap<string, number> = new Map([
+  ['Backspace', 8],
+  ['Tab', 9],
+  ['Enter', 13],
+  ['Escape', 27],
+  ['Delete', 255],
+  ['ArrowLeft', 81],
+  ['ArrowUp', 82],
+  ['ArrowRight', 83],
+  ['ArrowDown', 84],
+  ['PageUp', 85],
+  ['PageDown', 86],
+  ['End', 87],
+  ['Home', 80],
 ]);
 
 /** undefined: it has none, as Shift alone. */
 export function keyCode(key: string): number | undefined {
-  const code = key.length === 1 ? key.charCodeAt(0) : kNamed.get(key);
+  const code = key.length === 1 ? key.charCodeAt(0) : NAMED.get(key);
   return code !== undefined && code <= 255 ? code : undefined;
 }
 
@@ -28,9 +39,9 @@ export interface WindowControls {
   readonly mouse: boolean;
 }
 
-export const kNoControls: WindowControls = { trackbars: [], mouse: false };
-const kMostTrackbars = 50;
-const kLargest = 1e9;
+export const NO_CONTROLS: WindowControls = { trackbars: [], mouse: false };
+const MOST_TRACKBARS = 50;
+const LARGEST = 1e9;
 
 /** As a node has published it; the node may be anybody's. */
 export function readControls(text: string): WindowControls {
@@ -38,12 +49,12 @@ export function readControls(text: string): WindowControls {
   try {
     value = JSON.parse(text);
   } catch {
-    return kNoControls;
+    return NO_CONTROLS;
   }
   const bars = member(value, 'trackbars');
   return {
-    trackbars: (Array.isArray(bars) ? (bars as readonly unknown[]) : []).slice(0, kMostTrackbars).map((bar) => {
-      const count = Math.round(numberMember(bar, 'count', 0, kLargest, 0));
+    trackbars: (Array.isArray(bars) ? (bars as readonly unknown[]) : []).slice(0, MOST_TRACKBARS).map((bar) => {
+      const count = Math.round(numberMember(bar, 'count', 0, LARGEST, 0));
       return { name: textMember(bar, 'name'), value: Math.round(numberMember(bar, 'value', 0, count, 0)), count };
     }),
     mouse: flagMember(value, 'mouse', false),
@@ -53,7 +64,7 @@ export function readControls(text: string): WindowControls {
 export type PointerKind = 'move' | 'down' | 'up' | 'double';
 
 /** Buttons of the page, by OpenCV's numbers of events that a button begins with. */
-const kButtons: readonly Readonly<Record<Exclude<PointerKind, 'move'>, number>>[] = [
+const BUTTONS: readonly Readonly<Record<Exclude<PointerKind, 'move'>, number>>[] = [
   { down: 1, up: 4, double: 7 },
   { down: 3, up: 6, double: 9 },
   { down: 2, up: 5, double: 8 },
@@ -69,7 +80,7 @@ export interface PointerKeys {
 
 /** Event, place and flags, as a mouse callback gets them; undefined: a button that OpenCV does not know. */
 export function mouseEvent(kind: PointerKind, x: number, y: number, keys: PointerKeys): readonly number[] | undefined {
-  const event = kind === 'move' ? 0 : kButtons[keys.button]?.[kind];
+  const event = kind === 'move' ? 0 : BUTTONS[keys.button]?.[kind];
   const flags = (keys.buttons & 7) | (keys.ctrlKey ? 8 : 0) | (keys.shiftKey ? 16 : 0) | (keys.altKey ? 32 : 0);
   return event === undefined ? undefined : [event, x, y, flags];
 }

@@ -2,7 +2,7 @@
 // for which there is nothing to do here. Pure.
 
 /** Panels of the page by the names of programs with windows. */
-const kPanels: ReadonlyMap<string, string> = new Map([
+const PANELS: ReadonlyMap<string, string> = new Map([
   ['rviz2', 'scene'],
   ['rqt_graph', 'graph'],
   ['rqt_console', 'log'],
@@ -35,19 +35,25 @@ export function desktopPanel(words: readonly string[], carried: readonly string[
   const isRun = words[0] === 'ros2' && words[1] === 'run';
   if (isRun && carried.includes(words[2] ?? '')) return undefined;
   const [program = '', ...rest] = isRun ? words.slice(3) : words;
-  const panel = kPanels.get(isRun ? (words[2] ?? '') : program);
+  const panel = PANELS.get(isRun ? (words[2] ?? '') : program);
   return panel === undefined ? undefined : { program, panel, rest };
 }
 
 export type NeedlessKind = 'source' | 'build' | 'install' | 'mode';
 
-const kNeedless: ReadonlyMap<string, NeedlessKind> = new Map<string, NeedlessKind>([
-  ['source', 'source'], ['.', 'source'],
-  ['colcon', 'build'], ['chmod', 'mode'],
-  ['rosdep', 'install'], ['sudo', 'install'], ['apt', 'install'], ['pip', 'install'], ['pip3', 'install'],
+const NEEDLESS: ReadonlyMap<string, NeedlessKind> = new Map<string, NeedlessKind>([
+  ['source', 'source'],
+  ['.', 'source'],
+  ['colcon', 'build'],
+  ['chmod', 'mode'],
+  ['rosdep', 'install'],
+  ['sudo', 'install'],
+  ['apt', 'install'],
+  ['pip', 'install'],
+  ['pip3', 'install'],
 ]);
 
 /** Why nothing is done for that program, and nothing needs to be. */
 export function needless(program: string): NeedlessKind | undefined {
-  return kNeedless.get(program);
+  return NEEDLESS.get(program);
 }

@@ -4,8 +4,8 @@
 import { asNumber } from './field_path.ts';
 import { member, textMember } from './json.ts';
 
-export const kLevels = ['error', 'warn', 'stale', 'ok'] as const;
-export type DiagnosticLevel = (typeof kLevels)[number];
+export const LEVELS = ['error', 'warn', 'stale', 'ok'] as const;
+export type DiagnosticLevel = (typeof LEVELS)[number];
 
 export interface DiagnosticStatus {
   readonly name: string;
@@ -13,7 +13,7 @@ export interface DiagnosticStatus {
   readonly told: DiagnosticLevel;
   readonly message: string;
   readonly hardwareId: string;
-  readonly values: readonly { readonly key: string; readonly value: string }[];
+  readonly values: readonly { readonly key: string; readonly value: string; }[];
   /** How many more values it had. */
   readonly more: number;
   /** Seconds, of the site's time. */
@@ -24,12 +24,12 @@ export interface DiagnosticRow extends DiagnosticStatus {
   readonly level: DiagnosticLevel;
 }
 
-const kStaleSeconds = 5;
-const kMostNames = 2000;
-const kMostValues = 200;
-const kLongest = 2000;
+const STALE_SECONDS = 5;
+const MOST_NAMES = 2000;
+const MOST_VALUES = 200;
+const LONGEST = 2000;
 
-const kByNumber: readonly DiagnosticLevel[] = ['ok', 'warn', 'error', 'stale'];
+const BY_NUMBER: readonly DiagnosticLevel[] = ['ok', 'warn', 'error', 'stale'];
 
 export class Diagnostics {
   private readonly known = new Map<string, DiagnosticStatus>();
@@ -46,7 +46,7 @@ export class Diagnostics {
     if (!Array.isArray(list)) return;
     for (const status of list as readonly unknown[]) {
       const name = textOf(status, 'name');
-      if (!this.known.has(name) && this.known.size >= kMostNames) {
+      if (!this.known.has(name) && this.known.size >= MOST_NAMES) {
         this.leftOutCount += 1;
         continue;
       }
@@ -54,11 +54,11 @@ export class Diagnostics {
       const pairs: readonly unknown[] = Array.isArray(values) ? values : [];
       this.known.set(name, {
         name,
-        told: kByNumber[asNumber(member(status, 'level'))] ?? 'error',
+        told: BY_NUMBER[asNumber(member(status, 'level'))] ?? 'error',
         message: textOf(status, 'message'),
         hardwareId: textOf(status, 'hardware_id'),
-        values: pairs.slice(0, kMostValues).map((pair) => ({ key: textOf(pair, 'key'), value: textOf(pair, 'value') })),
-        more: Math.max(0, pairs.length - kMostValues),
+        values: pairs.slice(0, MOST_VALUES).map((pair) => ({ key: textOf(pair, 'key'), value: textOf(pair, 'value') })),
+        more: Math.max(0, pairs.length - MOST_VALUES),
         at,
       });
     }
@@ -67,8 +67,8 @@ export class Diagnostics {
   /** The worst first, then by name. `now`: seconds, of the site's time. */
   rows(now: number): readonly DiagnosticRow[] {
     return [...this.known.values()]
-      .map((status): DiagnosticRow => ({ ...status, level: now - status.at > kStaleSeconds ? 'stale' : status.told }))
-      .sort((a, b) => kLevels.indexOf(a.level) - kLevels.indexOf(b.level) || (a.name < b.name ? -1 : 1));
+      .map((status): DiagnosticRow => ({ ...status, level: now - status.at > STALE_SECONDS ? 'stale' : status.told }))
+      .sort((a, b) => LEVELS.indexOf(a.level) - LEVELS.indexOf(b.level) || (a.name < b.name ? -1 : 1));
   }
 
   clear(): void {
@@ -84,5 +84,5 @@ export function countLevels(rows: readonly DiagnosticRow[]): Readonly<Record<Dia
 }
 
 function textOf(value: unknown, name: string): string {
-  return textMember(value, name).slice(0, kLongest);
+  return textMember(value, name).slice(0, LONGEST);
 }

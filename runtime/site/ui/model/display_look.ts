@@ -26,17 +26,17 @@ export interface DisplayLook {
 }
 
 /** As RViz calls them. */
-export const kMapSchemes = ['map', 'costmap', 'raw'] as const;
-export type MapScheme = (typeof kMapSchemes)[number];
+export const MAP_SCHEMES = ['map', 'costmap', 'raw'] as const;
+export type MapScheme = (typeof MAP_SCHEMES)[number];
 
 export type Setting = 'size' | 'color' | 'alpha' | 'decay' | 'channel' | 'scheme' | 'shapes';
 
-export const kPlainLook: DisplayLook = {};
-export const kMostDecay = 600;
-export const kMostSize = 50;
-const kLargest = 1e7;
-const kMostLooks = 100;
-const kMostLetters = 40;
+export const PLAIN_LOOK: DisplayLook = {};
+export const MOST_DECAY = 600;
+export const MOST_SIZE = 50;
+const LARGEST = 1e7;
+const MOST_LOOKS = 100;
+const MOST_LETTERS = 40;
 
 export function isColor(text: string): boolean {
   return /^#[0-9a-f]{6}$/i.test(text);
@@ -46,11 +46,14 @@ export function isColor(text: string): boolean {
 export function readLook(value: unknown): DisplayLook {
   const number = (name: string, least: number, most: number): number => numberMember(value, name, least, most, NaN);
   const color = textMember(value, 'color');
-  const channel = textMember(value, 'channel').slice(0, kMostLetters);
-  const scheme = kMapSchemes.find((one) => one === member(value, 'scheme'));
+  const channel = textMember(value, 'channel').slice(0, MOST_LETTERS);
+  const scheme = MAP_SCHEMES.find((one) => one === member(value, 'scheme'));
   const numbers = {
-    size: number('size', 1, kMostSize), alpha: number('alpha', 0, 1), decay: number('decay', 0, kMostDecay),
-    least: number('least', -kLargest, kLargest), most: number('most', -kLargest, kLargest),
+    size: number('size', 1, MOST_SIZE),
+    alpha: number('alpha', 0, 1),
+    decay: number('decay', 0, MOST_DECAY),
+    least: number('least', -LARGEST, LARGEST),
+    most: number('most', -LARGEST, LARGEST),
   };
   return {
     ...Object.fromEntries(Object.entries(numbers).filter(([, one]) => !Number.isNaN(one))),
@@ -67,18 +70,18 @@ export type Looks = Readonly<Record<string, DisplayLook>>;
 
 export function readLooks(value: unknown): Looks {
   if (!isRecord(value)) return {};
-  const looks = Object.entries(value).slice(0, kMostLooks).map(([topic, look]) => [topic, readLook(look)] as const);
+  const looks = Object.entries(value).slice(0, MOST_LOOKS).map(([topic, look]) => [topic, readLook(look)] as const);
   return Object.fromEntries(looks.filter(([, look]) => Object.keys(look).length > 0));
 }
 
 export function writeLooks(looks: Looks): Json {
   return Object.fromEntries(
-    Object.entries(looks).slice(0, kMostLooks).map(([topic, look]) => [topic, { ...readLook(look) } as Json]),
+    Object.entries(looks).slice(0, MOST_LOOKS).map(([topic, look]) => [topic, { ...readLook(look) } as Json]),
   );
 }
 
 /** The looks with one of them changed; a member that is undefined is as usual again. */
-export function withLook(looks: Looks, topic: string, change: { readonly [K in keyof DisplayLook]?: DisplayLook[K] | undefined }): Looks {
+export function withLook(looks: Looks, topic: string, change: { readonly [K in keyof DisplayLook]?: DisplayLook[K] | undefined; }): Looks {
   const next = readLook({ ...looks[topic], ...change });
   const { [topic]: _, ...others } = looks;
   return Object.keys(next).length === 0 ? others : { ...others, [topic]: next };

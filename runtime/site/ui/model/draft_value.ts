@@ -59,8 +59,8 @@ export function onto(begin: MessageValue, given: Readonly<Record<string, unknown
 }
 
 export type DraftText =
-  | { readonly view: 'form'; readonly value: MessageValue }
-  | { readonly view: 'yaml'; readonly text: string };
+  | { readonly view: 'form'; readonly value: MessageValue; }
+  | { readonly view: 'yaml'; readonly text: string; };
 
 /** The bytes of a draft at a time of the site. Reading YAML is loaded when it is needed. */
 export async function draftBytes(codec: Codec, type: string, draft: DraftText, nowMs: number): Promise<Encoded> {
@@ -73,6 +73,6 @@ export async function draftBytes(codec: Codec, type: string, draft: DraftText, n
   return read.kind === 'failed' ? { kind: 'failed', path: '', reason: read.reason } : codec.encode(type, read.value);
 }
 
-export function refusal(failed: Extract<Encoded, { kind: 'failed' }>): string {
+export function refusal(failed: Extract<Encoded, { kind: 'failed'; }>): string {
   return failed.path === '' ? failed.reason : `${failed.path}: ${failed.reason}`;
 }

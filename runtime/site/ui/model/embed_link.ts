@@ -6,7 +6,7 @@ import { readLayout } from './layout_text.ts';
 import type { ReadLayout } from './layout_text.ts';
 import { changedFragment } from './link.ts';
 
-const kMostPanels = 12;
+const MOST_PANELS = 12;
 
 export interface EmbedView {
   /** As they are asked for; empty: the layout that the link has, or the usual one. */
@@ -18,7 +18,7 @@ export function readEmbed(search: string): EmbedView | null {
   const fields = new URLSearchParams(search);
   if (fields.get('embed') !== '1') return null;
   const panels = fields.getAll('panel').flatMap((names) => names.split(','));
-  return { panels: panels.filter((name) => name !== '').slice(0, kMostPanels) };
+  return { panels: panels.filter((name) => name !== '').slice(0, MOST_PANELS) };
 }
 
 /** The layout of the requested panels: those in the link's layout keep their places, the others are put beside them. */

@@ -8,15 +8,15 @@ import type { Json } from './json.ts';
 
 const words = embedTexts.refusals;
 
-export const kEmbedVersion = 1;
+export const EMBED_VERSION = 1;
 
-const kMostSize = 65_536;
-const kMostName = 256;
-const kMostWaitMs = 600_000;
+const MOST_SIZE = 65_536;
+const MOST_NAME = 256;
+const MOST_WAIT_MS = 600_000;
 /** Messages of a topic in a second. */
-const kUsualRate = 30;
-const kMostRate = 60;
-const kCommands = 'hello, state, height, watch, checks, run_checks, tasks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
+const USUAL_RATE = 30;
+const MOST_RATE = 60;
+const COMMANDS = 'hello, state, height, watch, checks, run_checks, tasks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
 
 /** Why a request is not followed, in the form of every failure (model/problem.ts). */
 export class Refusal extends Error {
@@ -35,16 +35,16 @@ export class Refusal extends Error {
 export type EmbedId = string | number;
 
 export type EmbedOrder =
-  | { readonly do: 'hello' | 'state' | 'height' | 'checks' | 'tasks' }
-  | { readonly do: 'watch'; readonly on: boolean }
+  | { readonly do: 'hello' | 'state' | 'height' | 'checks' | 'tasks'; }
+  | { readonly do: 'watch'; readonly on: boolean; }
   /** null: all nodes. */
-  | { readonly do: 'start' | 'stop' | 'restart'; readonly node: string | null }
-  | { readonly do: 'publish'; readonly topic: string; readonly type: string; readonly message: Json }
-  | { readonly do: 'set_parameter'; readonly node: string; readonly name: string; readonly value: Json }
-  | { readonly do: 'subscribe'; readonly topic: string; readonly rate: number }
-  | { readonly do: 'unsubscribe'; readonly subscription: number }
-  | { readonly do: 'call'; readonly service: string; readonly type: string; readonly request: Json; readonly timeoutMs: number }
-  | { readonly do: 'run_checks' };
+  | { readonly do: 'start' | 'stop' | 'restart'; readonly node: string | null; }
+  | { readonly do: 'publish'; readonly topic: string; readonly type: string; readonly message: Json; }
+  | { readonly do: 'set_parameter'; readonly node: string; readonly name: string; readonly value: Json; }
+  | { readonly do: 'subscribe'; readonly topic: string; readonly rate: number; }
+  | { readonly do: 'unsubscribe'; readonly subscription: number; }
+  | { readonly do: 'call'; readonly service: string; readonly type: string; readonly request: Json; readonly timeoutMs: number; }
+  | { readonly do: 'run_checks'; };
 
 export interface EmbedRequest {
   readonly id: EmbedId;
@@ -53,10 +53,10 @@ export interface EmbedRequest {
 }
 
 /** Those that any page may give: they tell no more than the site's files do, but which of its nodes run here. */
-const kReading: ReadonlySet<EmbedOrder['do']> = new Set(['hello', 'state', 'height', 'watch']);
+const READING: ReadonlySet<EmbedOrder['do']> = new Set(['hello', 'state', 'height', 'watch']);
 
 export function isReading(order: EmbedOrder): boolean {
-  return kReading.has(order.do);
+  return READING.has(order.do);
 }
 
 /** null for what is not for us: other scripts send messages too. */
@@ -69,11 +69,11 @@ export function readRequest(data: unknown): EmbedRequest | null {
 }
 
 function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusal {
-  if (data['ros2wasm'] !== kEmbedVersion)
-    return refused(words.version(kEmbedVersion));
+  if (data['ros2wasm'] !== EMBED_VERSION)
+    return refused(words.version(EMBED_VERSION));
   // Before anything is looked at: what is too large or too deep is not read.
-  const request = readJson(data, kMostSize);
-  if (request === undefined) return refused(words.form(kMostSize));
+  const request = readJson(data, MOST_SIZE);
+  if (request === undefined) return refused(words.form(MOST_SIZE));
   const what = member(request, 'do');
   const name = (key: string): string => nameOf(request, key);
   try {
@@ -96,16 +96,19 @@ function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusa
       case 'set_parameter':
         return { do: what, node: name('node'), name: name('name'), value: given(request, 'value') };
       case 'subscribe':
-        return { do: what, topic: name('topic'), rate: numberMember(request, 'rate', 0.01, kMostRate, kUsualRate) };
+        return { do: what, topic: name('topic'), rate: numberMember(request, 'rate', 0.01, MOST_RATE, USUAL_RATE) };
       case 'unsubscribe':
         return { do: what, subscription: numberMember(request, 'subscription', 0, Number.MAX_SAFE_INTEGER, -1) };
       case 'call':
         return {
-          do: what, service: name('service'), type: name('type'), request: fields(request, 'request'),
-          timeoutMs: numberMember(request, 'timeout_ms', 1, kMostWaitMs, 10_000),
+          do: what,
+          service: name('service'),
+          type: name('type'),
+          request: fields(request, 'request'),
+          timeoutMs: numberMember(request, 'timeout_ms', 1, MOST_WAIT_MS, 10_000),
         };
       default:
-        return refused(words.command(typeof what === 'string' ? what.slice(0, 40) : undefined, kCommands));
+        return refused(words.command(typeof what === 'string' ? what.slice(0, 40) : undefined, COMMANDS));
     }
   } catch (error) {
     if (error instanceof Refusal) return error;
@@ -119,8 +122,8 @@ function refused([message, fix]: readonly [string, string]): Refusal {
 
 function nameOf(request: Json, key: string): string {
   const found = member(request, key);
-  if (typeof found === 'string' && found !== '' && found.length <= kMostName) return found;
-  throw refused(words.name(key, kMostName));
+  if (typeof found === 'string' && found !== '' && found.length <= MOST_NAME) return found;
+  throw refused(words.name(key, MOST_NAME));
 }
 
 function given(request: Json, key: string): Json {

@@ -8,17 +8,15 @@ export interface FieldPath {
   readonly steps: readonly (string | number)[];
 }
 
-const kMostLength = 300;
+const MOST_LENGTH = 300;
 
 /** null when the text is no such path. */
 export function parseFieldPath(text: string): FieldPath | null {
   const trimmed = text.trim();
-  if (trimmed.length > kMostLength) return null;
+  if (trimmed.length > MOST_LENGTH) return null;
   const match = /^(\/[A-Za-z_][A-Za-z0-9_]*(?:\/[A-Za-z_][A-Za-z0-9_]*)*)((?:\.[A-Za-z_][A-Za-z0-9_]*|\[\d{1,9}\])+)$/.exec(trimmed);
   if (match === null) return null;
-  const steps = [...(match[2] ?? '').matchAll(/\.([A-Za-z0-9_]+)|\[(\d+)\]/g)].map((step) =>
-    step[1] === undefined ? Number(step[2]) : step[1],
-  );
+  const steps = [...(match[2] ?? '').matchAll(/\.([A-Za-z0-9_]+)|\[(\d+)\]/g)].map((step) => step[1] === undefined ? Number(step[2]) : step[1]);
   return { topic: match[1] ?? '', steps };
 }
 
@@ -42,7 +40,7 @@ export function asNumber(value: unknown): number {
       return Number(value);
     case 'object': {
       if (value === null) return Number.NaN;
-      const { sec, nanosec } = value as { readonly sec?: unknown; readonly nanosec?: unknown };
+      const { sec, nanosec } = value as { readonly sec?: unknown; readonly nanosec?: unknown; };
       return typeof sec === 'number' && typeof nanosec === 'number' ? sec + nanosec * 1e-9 : Number.NaN;
     }
     default:

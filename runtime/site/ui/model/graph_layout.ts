@@ -35,17 +35,17 @@ export interface GraphLayout {
 
 export type Direction = 'right' | 'down';
 
-const kBetweenBoxes = 22;
-const kBetweenWires = 14;
-const kBetweenLayers = { right: 84, down: 56 } as const;
+const BETWEEN_BOXES = 22;
+const BETWEEN_WIRES = 14;
+const BETWEEN_LAYERS = { right: 84, down: 56 } as const;
 
 export function layOut(picture: Picture, sizes: Sizes, direction: Direction): GraphLayout {
   const graph = new Graph({ compound: true, multigraph: true });
   graph.setGraph({
     rankdir: direction === 'right' ? 'LR' : 'TB',
-    nodesep: kBetweenBoxes,
-    edgesep: kBetweenWires,
-    ranksep: kBetweenLayers[direction],
+    nodesep: BETWEEN_BOXES,
+    edgesep: BETWEEN_WIRES,
+    ranksep: BETWEEN_LAYERS[direction],
     // Turns fewer wires round than the usual way, and is several times as fast where many lead back.
     acyclicer: 'greedy',
   });
@@ -59,14 +59,14 @@ export function layOut(picture: Picture, sizes: Sizes, direction: Direction): Gr
   }
   for (const { id, group } of picture.boxes) {
     const key = keys.get(id) ?? '';
-    graph.setNode(key, { ...(sizes.boxes.get(id) ?? kNoSize) });
+    graph.setNode(key, { ...(sizes.boxes.get(id) ?? NO_SIZE) });
     const outer = group === null ? undefined : groups.get(group);
     if (outer !== undefined) graph.setParent(key, outer);
   }
   picture.wires.forEach(({ id, from, to }, index) => {
     const label = sizes.wires.get(id);
     const [a, b] = [keys.get(from), keys.get(to)];
-    if (a !== undefined && b !== undefined) graph.setEdge(a, b, { ...(label ?? kNoSize), labelpos: 'c' }, `w${index}`);
+    if (a !== undefined && b !== undefined) graph.setEdge(a, b, { ...(label ?? NO_SIZE), labelpos: 'c' }, `w${index}`);
   });
   try {
     layout(graph);
@@ -89,7 +89,10 @@ export function layOut(picture: Picture, sizes: Sizes, direction: Direction): Gr
 
 /** dagre lets a steep wire end at the top of a box, behind the boxes above it in its layer: it ends at the side it comes from. */
 function fromSideToSide(
-  points: readonly Point[], from: Place | undefined, to: Place | undefined, direction: Direction,
+  points: readonly Point[],
+  from: Place | undefined,
+  to: Place | undefined,
+  direction: Direction,
 ): readonly Point[] {
   const [second, last] = [points[1], points.at(-2)];
   if (points.length < 3 || from === undefined || to === undefined || second === undefined || last === undefined) return points;
@@ -113,16 +116,16 @@ export function inColumns(picture: Picture, sizes: Sizes): GraphLayout {
     const width = Math.max(0, ...boxes.map(({ id }) => sizes.boxes.get(id)?.width ?? 0));
     let top = 0;
     for (const { id } of boxes) {
-      const size = sizes.boxes.get(id) ?? kNoSize;
+      const size = sizes.boxes.get(id) ?? NO_SIZE;
       places.set(id, { ...size, x: left + width / 2, y: top + size.height / 2 });
-      top += size.height + kBetweenBoxes;
+      top += size.height + BETWEEN_BOXES;
     }
-    if (boxes.length > 0) left += width + kBetweenLayers.right;
+    if (boxes.length > 0) left += width + BETWEEN_LAYERS.right;
   }
   return { boxes: places, routes: new Map() };
 }
 
-const kNoSize: Size = { width: 0, height: 0 };
+const NO_SIZE: Size = { width: 0, height: 0 };
 
 function numberOf(value: unknown): number {
   return typeof value === 'number' && Number.isFinite(value) ? value : 0;
@@ -133,8 +136,8 @@ function placeOf(found: unknown): Place {
   return { x: numberOf(x), y: numberOf(y), width: numberOf(width), height: numberOf(height) };
 }
 
-function routeOf(found: unknown): { readonly points: readonly Point[]; readonly label: Point } | undefined {
-  const { points, x, y } = (found ?? {}) as { readonly points?: readonly Point[] } & Partial<Point>;
+function routeOf(found: unknown): { readonly points: readonly Point[]; readonly label: Point; } | undefined {
+  const { points, x, y } = (found ?? {}) as { readonly points?: readonly Point[]; } & Partial<Point>;
   if (points === undefined) return undefined;
   return {
     points: points.map((point) => ({ x: numberOf(point.x), y: numberOf(point.y) })),

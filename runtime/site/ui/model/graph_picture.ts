@@ -70,19 +70,19 @@ export interface Picture {
 }
 
 /** More take the layout too long, and nobody could read them. */
-const kMostBoxes = 150;
-const kMostWires = 400;
+const MOST_BOXES = 150;
+const MOST_WIRES = 400;
 /** Upper bound of the pairs of nodes that are examined: far more than are drawn. */
-const kMostPairs = 50_000;
-const kMostLines = 4;
-const kLongestLabel = 40;
+const MOST_PAIRS = 50_000;
+const MOST_LINES = 4;
+const LONGEST_LABEL = 40;
 
 export function boxId(kind: BoxKind, name: string, number = 1): string {
   return number === 1 ? `${kind} ${name}` : `${kind} ${name} ${number}`;
 }
 
 /** The nodes that may be shown, each with the id of its box. */
-export function shownNodes(graph: GraphView, hidden: boolean): readonly { readonly id: string; readonly node: GraphNodeView }[] {
+export function shownNodes(graph: GraphView, hidden: boolean): readonly { readonly id: string; readonly node: GraphNodeView; }[] {
   const met = new Map<string, number>();
   return graph.nodes
     .filter(({ name }) => hidden || !isHiddenName(name))
@@ -154,9 +154,9 @@ export function pictureOf(graph: GraphView, options: PictureOptions): Picture {
   }
   const near = nearText(boxes, wires, options.text);
   const wanted = boxes.filter(({ id }) => near.has(id));
-  let kept = wanted.slice(0, kMostBoxes);
+  let kept = wanted.slice(0, MOST_BOXES);
   let shown = between(wires, kept);
-  while (shown.length > kMostWires) {
+  while (shown.length > MOST_WIRES) {
     kept = kept.slice(0, Math.floor(kept.length * 0.8));
     shown = between(wires, kept);
   }
@@ -182,7 +182,14 @@ function wiresThrough(kind: WireKind, all: ReadonlyMap<string, Ends>): readonly 
   return [...all].sort(byKey).flatMap(([name, { from, to }]) => {
     const middle = boxId(kind, name);
     const wire = (a: string, b: string, carriesAll: boolean): Wire => ({
-      id: `${a} > ${b}`, from: a, to: b, kind, names: [name], rateOf: kind === 'topic' && carriesAll ? name : null, lines: [], more: 0,
+      id: `${a} > ${b}`,
+      from: a,
+      to: b,
+      kind,
+      names: [name],
+      rateOf: kind === 'topic' && carriesAll ? name : null,
+      lines: [],
+      more: 0,
     });
     // The rate of a topic is known, not that of each publisher: it stands where all messages pass.
     return [
@@ -194,13 +201,13 @@ function wiresThrough(kind: WireKind, all: ReadonlyMap<string, Ends>): readonly 
 
 /** From each publisher (or client) to each subscriber (or server) one wire, with the names of all that leads there. */
 function wiresBetween(kind: WireKind, all: ReadonlyMap<string, Ends>): readonly Wire[] {
-  const byPair = new Map<string, { from: string; to: string; names: string[] }>();
+  const byPair = new Map<string, { from: string; to: string; names: string[]; }>();
   for (const [name, { from, to }] of [...all].sort(byKey)) {
     for (const a of from) {
       for (const b of to) {
         const key = `${kind} ${a} > ${b}`;
         const known = byPair.get(key);
-        if (known === undefined && byPair.size >= kMostPairs) continue;
+        if (known === undefined && byPair.size >= MOST_PAIRS) continue;
         const pair = known ?? { from: a, to: b, names: [] };
         byPair.set(key, pair);
         pair.names.push(name);
@@ -208,9 +215,14 @@ function wiresBetween(kind: WireKind, all: ReadonlyMap<string, Ends>): readonly 
     }
   }
   return [...byPair].map(([id, { from, to, names }]): Wire => {
-    const shown = names.length <= kMostLines ? names : names.slice(0, kMostLines - 1);
+    const shown = names.length <= MOST_LINES ? names : names.slice(0, MOST_LINES - 1);
     return {
-      id, from, to, kind, names, rateOf: null,
+      id,
+      from,
+      to,
+      kind,
+      names,
+      rateOf: null,
       lines: shown.map((name) => ({ kind, name, label: shortName(name) })),
       more: names.length - shown.length,
     };
@@ -240,7 +252,7 @@ function nearText(boxes: readonly Bare[], wires: readonly Wire[], text: string):
 }
 
 /** Namespaces that hold two things or more; which of them, the innermost, each box is in. */
-function groupsOf(boxes: readonly Bare[]): { readonly groups: readonly Group[]; readonly of: ReadonlyMap<string, string> } {
+function groupsOf(boxes: readonly Bare[]): { readonly groups: readonly Group[]; readonly of: ReadonlyMap<string, string>; } {
   const of = new Map(boxes.map(({ id, name }) => [id, splitNodeName(name).namespace]));
   const things = new Map<string, Set<string>>();
   const put = (space: string, thing: string): void => {
@@ -280,8 +292,8 @@ function groupsOf(boxes: readonly Bare[]): { readonly groups: readonly Group[]; 
 export function shortName(name: string): string {
   const plain = name.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}\p{Cs}]/gu, '\ufffd');
   const letters = [...plain];
-  if (letters.length <= kLongestLabel) return plain;
-  const half = Math.floor((kLongestLabel - 1) / 2);
+  if (letters.length <= LONGEST_LABEL) return plain;
+  const half = Math.floor((LONGEST_LABEL - 1) / 2);
   return `${letters.slice(0, half).join('')}\u2026${letters.slice(-half).join('')}`;
 }
 

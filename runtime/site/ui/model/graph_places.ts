@@ -18,16 +18,16 @@ export interface Arrangement {
 }
 
 /** From so many boxes on a single new one moves none of the others. */
-const kFewBoxes = 8;
-const kFewNew = 0.2;
+const FEW_BOXES = 8;
+const FEW_NEW = 0.2;
 /** Larger graphs are laid out in one direction only. */
-const kManyBoxes = 30;
+const MANY_BOXES = 30;
 /** Flowing the likely way is worth something. */
-const kBetter = 1.3;
-const kGap = 18;
-const kGroupRoom = { side: 12, top: 26, bottom: 12 } as const;
+const BETTER = 1.3;
+const GAP = 18;
+const GROUP_ROOM = { side: 12, top: 26, bottom: 12 } as const;
 /** So many steps away from where it would stand best. */
-const kFar = 8;
+const FAR = 8;
 
 /** `view`: the room that it is seen in. */
 export function arrange(before: Arrangement | null, picture: Picture, sizes: Sizes, view: Size): Arrangement {
@@ -38,13 +38,13 @@ export function arrange(before: Arrangement | null, picture: Picture, sizes: Siz
 export function anew(before: Arrangement | null, picture: Picture, sizes: Sizes, view: Size): Arrangement {
   const likely: Direction = view.width < view.height ? 'down' : 'right';
   const made = [likely, likely === 'right' ? 'down' : 'right'] as const;
-  const [first, second] = (picture.boxes.length > kManyBoxes ? made.slice(0, 1) : made).map((direction) => {
+  const [first, second] = (picture.boxes.length > MANY_BOXES ? made.slice(0, 1) : made).map((direction) => {
     const { boxes, routes } = layOut(picture, sizes, direction);
     return finished(picture, boxes, routes, direction, (before?.version ?? 0) + 1);
   });
   const seen = ({ bounds }: Arrangement): number => fitted(bounds, view).scale;
   if (first === undefined) throw new TypeError('a graph has at least one direction');
-  return second !== undefined && seen(second) > kBetter * seen(first) ? second : first;
+  return second !== undefined && seen(second) > BETTER * seen(first) ? second : first;
 }
 
 function adapted(before: Arrangement, picture: Picture, sizes: Sizes): Arrangement | null {
@@ -56,8 +56,8 @@ function adapted(before: Arrangement, picture: Picture, sizes: Sizes): Arrangeme
   const fresh = picture.boxes.filter((box) => !fits(box));
   const { length } = picture.boxes;
   if (length * 2 < places.size) return null;
-  if (fresh.length > 0 && (length < kFewBoxes || fresh.length > Math.max(1, length * kFewNew))) return null;
-  const shown = new Map(picture.boxes.filter(fits).map(({ id }) => [id, places.get(id) ?? kNowhere]));
+  if (fresh.length > 0 && (length < FEW_BOXES || fresh.length > Math.max(1, length * FEW_NEW))) return null;
+  const shown = new Map(picture.boxes.filter(fits).map(({ id }) => [id, places.get(id) ?? NOWHERE]));
   for (const box of fresh) {
     const place = roomFor(box, picture, shown, sizes, before.direction);
     if (place === null) return null;
@@ -71,7 +71,11 @@ function adapted(before: Arrangement, picture: Picture, sizes: Sizes): Arrangeme
 }
 
 function finished(
-  picture: Picture, places: ReadonlyMap<string, Place>, routes: ReadonlyMap<string, Route>, direction: Direction, version: number,
+  picture: Picture,
+  places: ReadonlyMap<string, Place>,
+  routes: ReadonlyMap<string, Route>,
+  direction: Direction,
+  version: number,
 ): Arrangement {
   const groups = groupPlaces(picture, places);
   const all = [...picture.boxes.flatMap(({ id }) => places.get(id) ?? []), ...groups.values()];
@@ -98,9 +102,9 @@ function groupPlaces(picture: Picture, places: ReadonlyMap<string, Place>): Read
     const { x, y, width, height } = around(inside);
     found.set(id, {
       x,
-      y: y + (kGroupRoom.bottom - kGroupRoom.top) / 2,
-      width: width + 2 * kGroupRoom.side,
-      height: height + kGroupRoom.top + kGroupRoom.bottom,
+      y: y + (GROUP_ROOM.bottom - GROUP_ROOM.top) / 2,
+      width: width + 2 * GROUP_ROOM.side,
+      height: height + GROUP_ROOM.top + GROUP_ROOM.bottom,
     });
   }
   return found;
@@ -108,7 +112,11 @@ function groupPlaces(picture: Picture, places: ReadonlyMap<string, Place>): Read
 
 /** A free place beside its neighbours; null when there is none near. */
 function roomFor(
-  box: Box, picture: Picture, shown: ReadonlyMap<string, Place>, sizes: Sizes, direction: Direction,
+  box: Box,
+  picture: Picture,
+  shown: ReadonlyMap<string, Place>,
+  sizes: Sizes,
+  direction: Direction,
 ): Place | null {
   const size = sizes.boxes.get(box.id);
   if (size === undefined) return null;
@@ -118,15 +126,15 @@ function roomFor(
     const other = from === box.id ? shown.get(to) : to === box.id ? shown.get(from) : undefined;
     if (other === undefined) continue;
     const way = from === box.id ? -1 : 1;
-    const step = across ? (other.width + size.width) / 2 + 5 * kGap : (other.height + size.height) / 2 + 3 * kGap;
+    const step = across ? (other.width + size.width) / 2 + 5 * GAP : (other.height + size.height) / 2 + 3 * GAP;
     wanted.push(across ? { x: other.x + way * step, y: other.y } : { x: other.x, y: other.y + way * step });
   }
   const bounds = around([...shown.values()]);
   const start = wanted.length === 0
-    ? { x: bounds.x - bounds.width / 2 + size.width / 2, y: bounds.y + bounds.height / 2 + size.height / 2 + kGap }
+    ? { x: bounds.x - bounds.width / 2 + size.width / 2, y: bounds.y + bounds.height / 2 + size.height / 2 + GAP }
     : { x: mean(wanted.map(({ x }) => x)), y: mean(wanted.map(({ y }) => y)) };
-  const step = { x: (size.width + kGap) / 2, y: (size.height + kGap) / 2 };
-  for (const { x, y } of kSteps) {
+  const step = { x: (size.width + GAP) / 2, y: (size.height + GAP) / 2 };
+  for (const { x, y } of STEPS) {
     const place = { ...size, x: start.x + x * step.x, y: start.y + y * step.y };
     if (isFree(place, box, picture, shown)) return place;
   }
@@ -134,13 +142,13 @@ function roomFor(
 }
 
 /** The nearest first. */
-const kSteps: readonly Point[] = Array.from({ length: (2 * kFar + 1) ** 2 }, (_, index) => ({
-  x: (index % (2 * kFar + 1)) - kFar,
-  y: Math.floor(index / (2 * kFar + 1)) - kFar,
+const STEPS: readonly Point[] = Array.from({ length: (2 * FAR + 1) ** 2 }, (_, index) => ({
+  x: (index % (2 * FAR + 1)) - FAR,
+  y: Math.floor(index / (2 * FAR + 1)) - FAR,
 })).sort((a, b) => Math.hypot(a.x, a.y) - Math.hypot(b.x, b.y));
 
 function isFree(place: Place, box: Box, picture: Picture, shown: ReadonlyMap<string, Place>): boolean {
-  for (const other of shown.values()) if (overlaps(place, other, kGap)) return false;
+  for (const other of shown.values()) if (overlaps(place, other, GAP)) return false;
   if (picture.groups.length === 0) return true;
   // Neither in a group that is not its own, nor may its own grow over others.
   const groups = groupPlaces(picture, new Map([...shown, [box.id, place]]));
@@ -169,20 +177,21 @@ function directRoute(wire: Wire, places: ReadonlyMap<string, Place>, direction: 
   const [from, to] = [places.get(wire.from), places.get(wire.to)];
   if (from === undefined || to === undefined) return null;
   const across = direction === 'right';
-  const side = (place: Place, way: number): Point => across
-    ? { x: place.x + way * place.width / 2, y: place.y }
-    : { x: place.x, y: place.y + way * place.height / 2 };
-  const out = (point: Point, way: number): Point => across ? { x: point.x + way * 2 * kGap, y: point.y } : { x: point.x, y: point.y + way * 2 * kGap };
+  const side = (place: Place, way: number): Point =>
+    across
+      ? { x: place.x + way * place.width / 2, y: place.y }
+      : { x: place.x, y: place.y + way * place.height / 2 };
+  const out = (point: Point, way: number): Point => across ? { x: point.x + way * 2 * GAP, y: point.y } : { x: point.x, y: point.y + way * 2 * GAP };
   const [start, end] = [side(from, 1), side(to, -1)];
   const middle = { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2 };
   const loop = wire.from === wire.to
-    ? [{ x: from.x, y: from.y - from.height / 2 - 2 * kGap }]
+    ? [{ x: from.x, y: from.y - from.height / 2 - 2 * GAP }]
     : [];
   return { points: [start, out(start, 1), ...loop, out(end, -1), end], label: wire.lines.length > 0 ? middle : null };
 }
 
 function around(places: readonly Place[]): Place {
-  if (places.length === 0) return kNowhere;
+  if (places.length === 0) return NOWHERE;
   const left = Math.min(...places.map(({ x, width }) => x - width / 2));
   const right = Math.max(...places.map(({ x, width }) => x + width / 2));
   const top = Math.min(...places.map(({ y, height }) => y - height / 2));
@@ -194,4 +203,4 @@ function mean(values: readonly number[]): number {
   return values.reduce((sum, value) => sum + value, 0) / values.length;
 }
 
-const kNowhere: Place = { x: 0, y: 0, width: 0, height: 0 };
+const NOWHERE: Place = { x: 0, y: 0, width: 0, height: 0 };

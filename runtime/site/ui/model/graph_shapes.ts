@@ -16,7 +16,7 @@ export function pathOf(points: readonly Point[]): string {
   return path;
 }
 
-const kArrow = { length: 9, width: 3.6 } as const;
+const ARROW = { length: 9, width: 3.6 } as const;
 
 /** A closed arrowhead at the last point. */
 export function arrowOf(points: readonly Point[]): string {
@@ -25,8 +25,8 @@ export function arrowOf(points: readonly Point[]): string {
   const length = Math.hypot(end.x - before.x, end.y - before.y);
   if (length === 0) return '';
   const [dx, dy] = [(end.x - before.x) / length, (end.y - before.y) / length];
-  const base = { x: end.x - dx * kArrow.length, y: end.y - dy * kArrow.length };
-  const corner = (side: number): string => `${fixed(base.x - side * dy * kArrow.width)} ${fixed(base.y + side * dx * kArrow.width)}`;
+  const base = { x: end.x - dx * ARROW.length, y: end.y - dy * ARROW.length };
+  const corner = (side: number): string => `${fixed(base.x - side * dy * ARROW.width)} ${fixed(base.y + side * dx * ARROW.width)}`;
   return `M${fixed(end.x)} ${fixed(end.y)}L${corner(1)}L${corner(-1)}Z`;
 }
 
@@ -43,7 +43,7 @@ export function readingOrder<T extends Standing>(items: readonly T[], direction:
 
 export type ArrowKey = 'ArrowRight' | 'ArrowLeft' | 'ArrowUp' | 'ArrowDown';
 
-const kWays: Readonly<Record<ArrowKey, Point>> = {
+const WAYS: Readonly<Record<ArrowKey, Point>> = {
   ArrowRight: { x: 1, y: 0 },
   ArrowLeft: { x: -1, y: 0 },
   ArrowUp: { x: 0, y: -1 },
@@ -54,7 +54,7 @@ const kWays: Readonly<Record<ArrowKey, Point>> = {
 export function nextOf<T extends Standing>(items: readonly T[], index: number, key: ArrowKey): T | undefined {
   const from = items[index]?.place;
   if (from === undefined) return undefined;
-  const way = kWays[key];
+  const way = WAYS[key];
   let best: T | undefined;
   let least = Number.POSITIVE_INFINITY;
   for (const item of items) {

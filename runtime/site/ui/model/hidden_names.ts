@@ -3,8 +3,8 @@
 
 import { isHiddenName } from '../../decode/ros_names.ts';
 
-const kEveryNode: ReadonlySet<string> = new Set(['/rosout', '/parameter_events']);
+const EVERY_NODE: ReadonlySet<string> = new Set(['/rosout', '/parameter_events']);
 
 export function isHiddenTopic(name: string): boolean {
-  return kEveryNode.has(name) || isHiddenName(name);
+  return EVERY_NODE.has(name) || isHiddenName(name);
 }

@@ -16,26 +16,91 @@ interface OpenElement extends HtmlElement {
   readonly name: string;
 }
 
-const kMostText = 4 << 20;
-const kMostNodes = 50_000;
-const kMostDepth = 60;
+const MOST_TEXT = 4 << 20;
+const MOST_NODES = 50_000;
+const MOST_DEPTH = 60;
 
-const kAsWritten: ReadonlySet<string> = new Set([
-  'a', 'abbr', 'b', 'blockquote', 'br', 'caption', 'code', 'col', 'colgroup', 'dd', 'del', 'details', 'div', 'dl', 'dt', 'em',
-  'figcaption', 'figure', 'hr', 'i', 'img', 'ins', 'kbd', 'li', 'mark', 'meter', 'ol', 'p', 'pre', 'progress', 'q', 's', 'samp',
-  'small', 'span', 'strong', 'sub', 'summary', 'sup', 'table', 'tbody', 'td', 'tfoot', 'th', 'thead', 'tr', 'u', 'ul', 'var',
+const AS_WRITTEN: ReadonlySet<string> = new Set([
+  'a',
+  'abbr',
+  'b',
+  'blockquote',
+  'br',
+  'caption',
+  'code',
+  'col',
+  'colgroup',
+  'dd',
+  'del',
+  'details',
+  'div',
+  'dl',
+  'dt',
+  'em',
+  'figcaption',
+  'figure',
+  'hr',
+  'i',
+  'img',
+  'ins',
+  'kbd',
+  'li',
+  'mark',
+  'meter',
+  'ol',
+  'p',
+  'pre',
+  'progress',
+  'q',
+  's',
+  'samp',
+  'small',
+  'span',
+  'strong',
+  'sub',
+  'summary',
+  'sup',
+  'table',
+  'tbody',
+  'td',
+  'tfoot',
+  'th',
+  'thead',
+  'tr',
+  'u',
+  'ul',
+  'var',
 ]);
 /** An output is not part of the page's outline. */
-const kHeadings: ReadonlySet<string> = new Set(['h1', 'h2', 'h3', 'h4', 'h5', 'h6']);
-const kBlocks: ReadonlySet<string> = new Set(['article', 'aside', 'center', 'footer', 'header', 'main', 'nav', 'section']);
-const kEmpty: ReadonlySet<string> = new Set(['br', 'col', 'hr', 'img']);
+const HEADINGS: ReadonlySet<string> = new Set(['h1', 'h2', 'h3', 'h4', 'h5', 'h6']);
+const BLOCKS: ReadonlySet<string> = new Set(['article', 'aside', 'center', 'footer', 'header', 'main', 'nav', 'section']);
+const EMPTY: ReadonlySet<string> = new Set(['br', 'col', 'hr', 'img']);
 /** With all that is in them. `svg` becomes an image. */
-const kDropped: ReadonlySet<string> = new Set([
-  'script', 'style', 'iframe', 'object', 'embed', 'template', 'noscript', 'noembed', 'noframes', 'textarea', 'select', 'title',
-  'xmp', 'math', 'svg', 'video', 'audio', 'canvas', 'applet', 'frameset', 'plaintext',
+const DROPPED: ReadonlySet<string> = new Set([
+  'script',
+  'style',
+  'iframe',
+  'object',
+  'embed',
+  'template',
+  'noscript',
+  'noembed',
+  'noframes',
+  'textarea',
+  'select',
+  'title',
+  'xmp',
+  'math',
+  'svg',
+  'video',
+  'audio',
+  'canvas',
+  'applet',
+  'frameset',
+  'plaintext',
 ]);
 /** For each element: the open elements that it closes, and the ones at which that ends, since they contain both. */
-const kEnds: Readonly<Record<string, readonly [ends: readonly string[], within: readonly string[]]>> = {
+const ENDS: Readonly<Record<string, readonly [ends: readonly string[], within: readonly string[]]>> = {
   li: [['li'], ['ul', 'ol']],
   dt: [['dt', 'dd'], ['dl']],
   dd: [['dt', 'dd'], ['dl']],
@@ -48,25 +113,88 @@ const kEnds: Readonly<Record<string, readonly [ends: readonly string[], within: 
   p: [['p'], ['div', 'td', 'th', 'li', 'blockquote', 'details']],
 };
 
-const kStyles: ReadonlySet<string> = new Set([
-  'background', 'background-color', 'border', 'border-bottom', 'border-collapse', 'border-color', 'border-left', 'border-radius',
-  'border-right', 'border-spacing', 'border-style', 'border-top', 'border-width', 'color', 'display', 'font-family', 'font-size', 'font-style',
-  'font-variant', 'font-weight', 'gap', 'height', 'letter-spacing', 'line-height', 'list-style', 'margin', 'margin-bottom', 'margin-left',
-  'margin-right', 'margin-top', 'max-width', 'min-width', 'opacity', 'padding', 'padding-bottom', 'padding-left', 'padding-right',
-  'padding-top', 'text-align', 'text-decoration', 'text-transform', 'vertical-align', 'white-space', 'width',
+const STYLES: ReadonlySet<string> = new Set([
+  'background',
+  'background-color',
+  'border',
+  'border-bottom',
+  'border-collapse',
+  'border-color',
+  'border-left',
+  'border-radius',
+  'border-right',
+  'border-spacing',
+  'border-style',
+  'border-top',
+  'border-width',
+  'color',
+  'display',
+  'font-family',
+  'font-size',
+  'font-style',
+  'font-variant',
+  'font-weight',
+  'gap',
+  'height',
+  'letter-spacing',
+  'line-height',
+  'list-style',
+  'margin',
+  'margin-bottom',
+  'margin-left',
+  'margin-right',
+  'margin-top',
+  'max-width',
+  'min-width',
+  'opacity',
+  'padding',
+  'padding-bottom',
+  'padding-left',
+  'padding-right',
+  'padding-top',
+  'text-align',
+  'text-decoration',
+  'text-transform',
+  'vertical-align',
+  'white-space',
+  'width',
 ]);
 /** No function but colours, nothing that moves out of its place: a sign of minus stands only within a word. */
-const kStyleValue = /^(?!.*(?<!\b(?:rgb|hsl)a?)\()(?!.*(?<![a-z])-)[\w\s#.,%()'"/+-]{1,200}$/is;
+const STYLE_VALUE = /^(?!.*(?<!\b(?:rgb|hsl)a?)\()(?!.*(?<![a-z])-)[\w\s#.,%()'"/+-]{1,200}$/is;
 
-const kEntities: Readonly<Record<string, string>> = {
-  amp: '&', lt: '<', gt: '>', quot: '"', apos: "'", nbsp: '\u00a0', middot: '\u00b7', times: '\u00d7', deg: '\u00b0', micro: '\u00b5',
-  ndash: '\u2013', mdash: '\u2014', hellip: '\u2026', larr: '\u2190', rarr: '\u2192', uarr: '\u2191', darr: '\u2193', plusmn: '\u00b1',
-  le: '\u2264', ge: '\u2265', ne: '\u2260', alpha: '\u03b1', beta: '\u03b2', theta: '\u03b8', omega: '\u03c9', pi: '\u03c0', copy: '\u00a9',
+const ENTITIES: Readonly<Record<string, string>> = {
+  amp: '&',
+  lt: '<',
+  gt: '>',
+  quot: '"',
+  apos: "'",
+  nbsp: '\u00a0',
+  middot: '\u00b7',
+  times: '\u00d7',
+  deg: '\u00b0',
+  micro: '\u00b5',
+  ndash: '\u2013',
+  mdash: '\u2014',
+  hellip: '\u2026',
+  larr: '\u2190',
+  rarr: '\u2192',
+  uarr: '\u2191',
+  darr: '\u2193',
+  plusmn: '\u00b1',
+  le: '\u2264',
+  ge: '\u2265',
+  ne: '\u2260',
+  alpha: '\u03b1',
+  beta: '\u03b2',
+  theta: '\u03b8',
+  omega: '\u03c9',
+  pi: '\u03c0',
+  copy: '\u00a9',
 };
 
 export function decodeEntities(text: string): string {
   return text.replace(/&(?:#(\d{1,7})|#x([0-9a-f]{1,6})|([a-z]{2,8}));/gi, (whole, decimal, hex, name) => {
-    if (name !== undefined) return Object.hasOwn(kEntities, name) ? (kEntities[name] ?? whole) : whole;
+    if (name !== undefined) return Object.hasOwn(ENTITIES, name) ? (ENTITIES[name] ?? whole) : whole;
     const code = decimal === undefined ? Number.parseInt(hex, 16) : Number(decimal);
     return code > 0 && code <= 0x10ffff && (code < 0xd800 || code > 0xdfff) ? String.fromCodePoint(code) : '\ufffd';
   });
@@ -74,11 +202,11 @@ export function decodeEntities(text: string): string {
 
 /** null: too long, or too much of it. */
 export function readHtml(text: string): readonly HtmlNode[] | null {
-  return text.length > kMostText ? null : new Reader(text).read();
+  return text.length > MOST_TEXT ? null : new Reader(text).read();
 }
 
-const kTag = /<(\/?)([a-z][a-z0-9-]*)/iy;
-const kAttribute = /([^\s=>"'/]+)(?:\s*=\s*(?:"([^"]*)"|'([^']*)'|([^\s"'>]+)))?/g;
+const TAG = /<(\/?)([a-z][a-z0-9-]*)/iy;
+const ATTRIBUTE = /([^\s=>"'/]+)(?:\s*=\s*(?:"([^"]*)"|'([^']*)'|([^\s"'>]+)))?/g;
 
 class Reader {
   private readonly text: string;
@@ -95,7 +223,7 @@ class Reader {
     const { text } = this;
     const lower = text.toLowerCase();
     let at = 0;
-    while (at < text.length && this.nodes <= kMostNodes) {
+    while (at < text.length && this.nodes <= MOST_NODES) {
       const next = text.indexOf('<', at);
       if (next < 0) {
         this.add(decodeEntities(text.slice(at)));
@@ -104,7 +232,7 @@ class Reader {
       if (next > at) this.add(decodeEntities(text.slice(at, next)));
       at = this.markup(lower, next);
     }
-    return this.nodes > kMostNodes ? null : this.root.children;
+    return this.nodes > MOST_NODES ? null : this.root.children;
   }
 
   /** Reads the markup that begins with "<" at `at`; returns where it ends. */
@@ -116,8 +244,8 @@ class Reader {
     };
     if (text.startsWith('<!--', at)) return after('-->', at + 4);
     if (text.startsWith('<!', at) || text.startsWith('<?', at)) return after('>', at);
-    kTag.lastIndex = at;
-    const tag = kTag.exec(text);
+    TAG.lastIndex = at;
+    const tag = TAG.exec(text);
     if (tag === null) {
       this.add('<');
       return at + 1;
@@ -134,7 +262,7 @@ class Reader {
       this.end(name);
       return end;
     }
-    if (kDropped.has(name)) {
+    if (DROPPED.has(name)) {
       const over = attributes.endsWith('/') && name === 'svg' ? end : after(`</${name}>`, end);
       if (name === 'svg') this.add(drawing(text.slice(at, over)));
       return over;
@@ -165,13 +293,13 @@ class Reader {
   }
 
   private begin(name: string, attributes: string): void {
-    const rule = Object.hasOwn(kEnds, name) ? kEnds[name] : undefined;
+    const rule = Object.hasOwn(ENDS, name) ? ENDS[name] : undefined;
     if (rule !== undefined) this.endWithin(...rule);
-    const heading = kHeadings.has(name);
-    if (!kAsWritten.has(name) && !heading && !kBlocks.has(name)) return;
+    const heading = HEADINGS.has(name);
+    if (!AS_WRITTEN.has(name) && !heading && !BLOCKS.has(name)) return;
     const element: OpenElement = {
       name,
-      tag: heading || kBlocks.has(name) ? 'div' : name,
+      tag: heading || BLOCKS.has(name) ? 'div' : name,
       ...readAttributes(name, attributes),
       children: [],
     };
@@ -182,7 +310,7 @@ class Reader {
     }
     this.add(element);
     // Deeper ones lie beside each other.
-    if (!kEmpty.has(name) && this.open.length < kMostDepth) this.open.push(element);
+    if (!EMPTY.has(name) && this.open.length < MOST_DEPTH) this.open.push(element);
   }
 
   /** Closes these down to the innermost that holds them. */
@@ -217,7 +345,7 @@ function drawing(svg: string): HtmlElement {
 function readAttributes(name: string, text: string): Pick<HtmlElement, 'attributes' | 'style'> {
   const attributes: Record<string, string> = {};
   let style: Record<string, string> = {};
-  for (const [, written = '', double, single, bare] of text.matchAll(kAttribute)) {
+  for (const [, written = '', double, single, bare] of text.matchAll(ATTRIBUTE)) {
     const value = decodeEntities(double ?? single ?? bare ?? '');
     const key = written.toLowerCase();
     if (key === 'style') style = { ...style, ...readStyle(value) };
@@ -261,7 +389,7 @@ function readStyle(text: string): Record<string, string> {
     const colon = rule.indexOf(':');
     const name = rule.slice(0, colon).trim().toLowerCase();
     const value = rule.slice(colon + 1).trim();
-    if (colon > 0 && kStyles.has(name) && kStyleValue.test(value)) found[name] = value;
+    if (colon > 0 && STYLES.has(name) && STYLE_VALUE.test(value)) found[name] = value;
   }
   return found;
 }

@@ -50,11 +50,11 @@ function color(depth: 'u8' | 'u16', names: string): Encoding {
   return { kind: 'color', depth, names: [...names], order: [at('R'), at('G'), at('B'), at('A')] };
 }
 
-const kGrey: Encoding = { kind: 'color', depth: 'u8', names: [''], order: [0, 0, 0, -1] };
-const kUyvy: Encoding = { kind: 'yuv', y: 1, u: 0, v: 2 };
-const kYuyv: Encoding = { kind: 'yuv', y: 0, u: 1, v: 3 };
+const GREY: Encoding = { kind: 'color', depth: 'u8', names: [''], order: [0, 0, 0, -1] };
+const UYVY: Encoding = { kind: 'yuv', y: 1, u: 0, v: 2 };
+const YUYV: Encoding = { kind: 'yuv', y: 0, u: 1, v: 3 };
 
-const kEncodings: ReadonlyMap<string, Encoding> = new Map<string, Encoding>([
+const ENCODINGS: ReadonlyMap<string, Encoding> = new Map<string, Encoding>([
   ['rgb8', color('u8', 'RGB')],
   ['bgr8', color('u8', 'BGR')],
   ['rgba8', color('u8', 'RGBA')],
@@ -63,8 +63,8 @@ const kEncodings: ReadonlyMap<string, Encoding> = new Map<string, Encoding>([
   ['bgr16', color('u16', 'BGR')],
   ['rgba16', color('u16', 'RGBA')],
   ['bgra16', color('u16', 'BGRA')],
-  ['mono8', kGrey],
-  ['8UC1', kGrey],
+  ['mono8', GREY],
+  ['8UC1', GREY],
   // Nobody says what these channels are; OpenCV puts blue first.
   ['8UC3', { kind: 'color', depth: 'u8', names: ['', '', ''], order: [2, 1, 0, -1] }],
   ['8UC4', { kind: 'color', depth: 'u8', names: ['', '', '', ''], order: [2, 1, 0, 3] }],
@@ -77,25 +77,25 @@ const kEncodings: ReadonlyMap<string, Encoding> = new Map<string, Encoding>([
   ['bayer_gbrg8', { kind: 'bayer', red: [0, 1] }],
   ['bayer_grbg8', { kind: 'bayer', red: [1, 0] }],
   // Each by the name that upstream calls old and by the new one.
-  ['yuv422', kUyvy],
-  ['uyvy', kUyvy],
-  ['yuv422_yuy2', kYuyv],
-  ['yuyv', kYuyv],
+  ['yuv422', UYVY],
+  ['uyvy', UYVY],
+  ['yuv422_yuy2', YUYV],
+  ['yuyv', YUYV],
 ]);
 
-const kBytes: Readonly<Record<Depth, number>> = { u8: 1, u16: 2, s16: 2, f32: 4 };
+const BYTES: Readonly<Record<Depth, number>> = { u8: 1, u16: 2, s16: 2, f32: 4 };
 
 export function encodingOf(name: string): Encoding | undefined {
-  return kEncodings.get(name);
+  return ENCODINGS.get(name);
 }
 
 /** Bytes that a row of so many pixels takes. */
 export function rowBytes(encoding: Encoding, width: number): number {
   switch (encoding.kind) {
     case 'color':
-      return width * encoding.names.length * kBytes[encoding.depth];
+      return width * encoding.names.length * BYTES[encoding.depth];
     case 'measure':
-      return width * kBytes[encoding.depth];
+      return width * BYTES[encoding.depth];
     case 'bayer':
       return width;
     case 'yuv':
@@ -130,12 +130,12 @@ export function pixelWords(image: RawImage, x: number, y: number): string {
   switch (encoding.kind) {
     case 'color': {
       const read = numberReader(image, encoding.depth);
-      const bytes = kBytes[encoding.depth];
+      const bytes = BYTES[encoding.depth];
       const from = row + x * bytes * encoding.names.length;
       return encoding.names.map((name, index) => `${name} ${read(from + index * bytes)}`.trimStart()).join(' ');
     }
     case 'measure':
-      return String(Number(numberReader(image, encoding.depth)(row + x * kBytes[encoding.depth]).toPrecision(6)));
+      return String(Number(numberReader(image, encoding.depth)(row + x * BYTES[encoding.depth]).toPrecision(6)));
     case 'bayer': {
       const [redX, redY] = encoding.red;
       const across = (x & 1) === redX;

@@ -26,25 +26,25 @@ export interface Pixels {
   readonly range: ImageRange | null;
 }
 
-export const kAutomatic: WantedRange = { least: undefined, most: undefined };
+export const AUTOMATIC: WantedRange = { least: undefined, most: undefined };
 
-const kMostPixels = 1 << 25;
-const kMostMeasured = 1e9;
+const MOST_PIXELS = 1 << 25;
+const MOST_MEASURED = 1e9;
 
 /** Reads the range in a panel's state. */
 export function readRange(state: unknown): WantedRange {
   const bound = (name: string): number | undefined => {
-    const value = numberMember(state, name, -kMostMeasured, kMostMeasured, Number.NaN);
+    const value = numberMember(state, name, -MOST_MEASURED, MOST_MEASURED, Number.NaN);
     return Number.isNaN(value) ? undefined : value;
   };
   return { least: bound('least'), most: bound('most') };
 }
 
 /** The pixels, or why there are none. They are put into `room` when it is just as large. */
-export function pixelsOf(image: RawImage, wanted: WantedRange = kAutomatic, room?: Uint8ClampedArray<ArrayBuffer>): Pixels | string {
+export function pixelsOf(image: RawImage, wanted: WantedRange = AUTOMATIC, room?: Uint8ClampedArray<ArrayBuffer>): Pixels | string {
   const { width, height, step, data, encoding: name } = image;
   if (!(width > 0 && height > 0)) return imageTexts.empty;
-  if (width * height > kMostPixels) return imageTexts.tooMany(width, height);
+  if (width * height > MOST_PIXELS) return imageTexts.tooMany(width, height);
   const encoding = encodingOf(name);
   if (encoding === undefined) return imageTexts.unknown(name.slice(0, 40));
   const row = rowBytes(encoding, width);
@@ -102,8 +102,7 @@ function putColors(image: RawImage, { depth, names, order }: ColorEncoding, rgba
 /** Each pixel takes the colours of its square of four: quick, and true to what was measured. */
 function putBayer(image: RawImage, { red: [redX, redY] }: BayerEncoding, rgba: Uint8ClampedArray): void {
   const { width, height, step, data } = image;
-  const at = (x: number, y: number): number =>
-    data[Math.min(y, height - 1) * step + Math.min(x, width - 1)] ?? 0;
+  const at = (x: number, y: number): number => data[Math.min(y, height - 1) * step + Math.min(x, width - 1)] ?? 0;
   for (let y = 0; y < height; y += 1) {
     for (let x = 0; x < width; x += 1) {
       const [left, top] = [x & ~1, y & ~1];

@@ -23,19 +23,19 @@ export interface Mimic {
   readonly offset: number;
 }
 
-const kMostCharacters = 1 << 24;
-const kMostJoints = 500;
-const kLargest = 1e6;
-const kDeepest = 20;
+const MOST_CHARACTERS = 1 << 24;
+const MOST_JOINTS = 500;
+const LARGEST = 1e6;
+const DEEPEST = 20;
 
 /** null: it is not a robot description. */
 export function readJoints(text: string): readonly Joint[] | null {
-  if (text.length > kMostCharacters) return null;
+  if (text.length > MOST_CHARACTERS) return null;
   const robot = readXml(text);
   if (robot?.name !== 'robot') return null;
   const found = new Map<string, Joint>();
   for (const element of robot.children) {
-    const joint = element.name === 'joint' && found.size < kMostJoints ? jointOf(element) : null;
+    const joint = element.name === 'joint' && found.size < MOST_JOINTS ? jointOf(element) : null;
     if (joint !== null) found.set(joint.name, joint);
   }
   return [...found.values()];
@@ -49,8 +49,8 @@ function jointOf(element: XmlElement): Joint | null {
   const safety = childOf(element, 'safety_controller');
   const isContinuous = type === 'continuous';
   // The tighter ones of the limits and the soft ones.
-  const least = isContinuous ? -Math.PI : Math.max(numberOf(limit, 'lower', 0), numberOf(safety, 'soft_lower_limit', -kLargest));
-  const most = isContinuous ? Math.PI : Math.min(numberOf(limit, 'upper', 0), numberOf(safety, 'soft_upper_limit', kLargest));
+  const least = isContinuous ? -Math.PI : Math.max(numberOf(limit, 'lower', 0), numberOf(safety, 'soft_lower_limit', -LARGEST));
+  const most = isContinuous ? Math.PI : Math.min(numberOf(limit, 'upper', 0), numberOf(safety, 'soft_upper_limit', LARGEST));
   if (!(least <= most)) return null;
   const mimicked = childOf(element, 'mimic');
   const joint = mimicked?.attributes.get('joint') ?? '';
@@ -69,7 +69,7 @@ export function jointPositions(joints: readonly Joint[], set: ReadonlyMap<string
   const known = new Map(joints.map((joint) => [joint.name, joint]));
   const at = (joint: Joint, depth: number): number => {
     const followed = joint.mimic === null ? undefined : known.get(joint.mimic.joint);
-    if (joint.mimic === null || followed === undefined || depth > kDeepest) return set.get(joint.name) ?? joint.zero;
+    if (joint.mimic === null || followed === undefined || depth > DEEPEST) return set.get(joint.name) ?? joint.zero;
     return joint.mimic.factor * at(followed, depth + 1) + joint.mimic.offset;
   };
   return joints.map((joint) => at(joint, 0));
@@ -80,7 +80,7 @@ export function readJointState(message: unknown): readonly (readonly [string, nu
   const names = member(message, 'name');
   const positions = member(message, 'position');
   if (!Array.isArray(names) || !(Array.isArray(positions) || positions instanceof Float64Array)) return [];
-  return (names as readonly unknown[]).slice(0, kMostJoints).flatMap((name, index): readonly (readonly [string, number])[] => {
+  return (names as readonly unknown[]).slice(0, MOST_JOINTS).flatMap((name, index): readonly (readonly [string, number])[] => {
     const position: unknown = positions[index];
     return typeof name === 'string' && typeof position === 'number' && Number.isFinite(position) ? [[name, position]] : [];
   });
@@ -93,5 +93,5 @@ function childOf(element: XmlElement, name: string): XmlElement | undefined {
 function numberOf(element: XmlElement | undefined, name: string, usual: number): number {
   const text = element?.attributes.get(name)?.trim() ?? '';
   const value = text === '' ? usual : Number(text);
-  return Math.abs(value) <= kLargest ? value : usual;
+  return Math.abs(value) <= LARGEST ? value : usual;
 }

@@ -6,13 +6,13 @@ export type Json =
   | number
   | string
   | readonly Json[]
-  | { readonly [key: string]: Json };
+  | { readonly [key: string]: Json; };
 
-const kDepth = 8;
+const DEPTH = 8;
 
 /** A copy of a plain value with at most `budget` characters of JSON; undefined for anything else. */
 export function readJson(value: unknown, budget: number): Json | undefined {
-  if (!isJson(value, kDepth, { left: budget })) return undefined;
+  if (!isJson(value, DEPTH, { left: budget })) return undefined;
   const text = JSON.stringify(value);
   if (text.length > budget) return undefined;
   // A copy of its own: nobody can change it later, and odd prototypes are gone.
@@ -61,7 +61,7 @@ export function textsMember(value: unknown, name: string, limit: number): readon
  * Each value takes at least one character. Counted, because what another page sends may have the same list a hundred times
  * in a list, and that one again, or a list of a billion holes.
  */
-function isJson(value: unknown, depth: number, budget: { left: number }): value is Json {
+function isJson(value: unknown, depth: number, budget: { left: number; }): value is Json {
   budget.left -= typeof value === 'string' ? value.length + 1 : 1;
   if (budget.left < 0) return false;
   if (value === null) return true;

@@ -2,10 +2,10 @@
 
 import { asNumber } from './field_path.ts';
 import { member } from './json.ts';
-import { colored, kMostPoints } from './point_cloud.ts';
+import { colored, MOST_POINTS } from './point_cloud.ts';
 import type { PointCloud, PointColors } from './point_cloud.ts';
 
-const kFarthest = 1e7;
+const FARTHEST = 1e7;
 
 /** null: it is not a scan. */
 export function readScan(message: unknown, by: PointColors = {}): PointCloud | null {
@@ -16,7 +16,7 @@ export function readScan(message: unknown, by: PointColors = {}): PointCloud | n
   const nearest = asNumber(member(message, 'range_min'));
   const farthest = asNumber(member(message, 'range_max'));
   if (!isNumbers(ranges) || !Number.isFinite(start) || !Number.isFinite(step)) return null;
-  const count = Math.min(ranges.length, kMostPoints);
+  const count = Math.min(ranges.length, MOST_POINTS);
   const positions = new Float32Array(count * 3);
   const sources = new Uint32Array(count);
   const { channel = 'flat' } = by;
@@ -25,7 +25,7 @@ export function readScan(message: unknown, by: PointColors = {}): PointCloud | n
   for (let i = 0; i < count; i += 1) {
     const range = Number(ranges[i]);
     // Nothing was hit, or the sensor says that it cannot see there.
-    if (!(range >= 0 && range < kFarthest) || range < nearest || range > farthest) continue;
+    if (!(range >= 0 && range < FARTHEST) || range < nearest || range > farthest) continue;
     const angle = start + i * step;
     const [x, y] = [range * Math.cos(angle), range * Math.sin(angle)];
     positions[found * 3] = x;

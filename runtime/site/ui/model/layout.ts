@@ -43,7 +43,7 @@ export interface DropTarget {
   readonly index?: number;
 }
 
-export const kMostPanels = 32;
+export const MOST_PANELS = 32;
 
 export function groupsOf(pane: Pane): readonly Group[] {
   return pane.kind === 'group' ? [pane] : pane.children.flatMap(groupsOf);
@@ -86,7 +86,7 @@ export function makeSplit(
   children: readonly Pane[],
   sizes: readonly number[],
 ): Pane {
-  const flat: { pane: Pane; size: number }[] = [];
+  const flat: { pane: Pane; size: number; }[] = [];
   const given = children.map((_, index) => {
     const size = sizes[index] ?? 0;
     return Number.isFinite(size) && size > 0 ? size : 1 / children.length;
@@ -95,9 +95,7 @@ export function makeSplit(
   children.forEach((pane, index) => {
     const size = (given[index] ?? 0) / total;
     if (pane.kind === kind)
-      pane.children.forEach((child, at) =>
-        flat.push({ pane: child, size: size * (pane.sizes[at] ?? 0) }),
-      );
+      pane.children.forEach((child, at) => flat.push({ pane: child, size: size * (pane.sizes[at] ?? 0) }));
     else flat.push({ pane, size });
   });
   const [only] = flat;
@@ -115,8 +113,7 @@ export function reveal(layout: Layout, key: string): Layout {
   const root = mapGroups(layout.root, (group) =>
     group.front !== key && group.tabs.some((tab) => tab.key === key)
       ? { ...group, front: key }
-      : group,
-  );
+      : group);
   return { root, front: key };
 }
 
@@ -137,7 +134,7 @@ export function closeTab(layout: Layout, key: string): Layout {
 
 /** Puts a new panel where the target says, and shows it. */
 export function addTab(layout: Layout, tab: PanelTab, target: DropTarget): Layout {
-  if (tabsOf(layout.root).length >= kMostPanels) return layout;
+  if (tabsOf(layout.root).length >= MOST_PANELS) return layout;
   const root = mapGroups(layout.root, (group) => {
     if (group.key !== target.group) return group;
     if (target.zone === 'into' || group.tabs.length === 0) {
@@ -161,8 +158,7 @@ export function moveTab(layout: Layout, key: string, target: DropTarget): Layout
   // A group of one tab cannot be split by that tab.
   if (same && target.zone !== 'into' && from.tabs.length === 1) return layout;
   const at = from.tabs.indexOf(tab);
-  const index =
-    target.index !== undefined && same && at < target.index ? target.index - 1 : target.index;
+  const index = target.index !== undefined && same && at < target.index ? target.index - 1 : target.index;
   const left = makeGroup(
     from.key,
     from.tabs.filter((one) => one !== tab),
@@ -197,8 +193,7 @@ export function setPanelState(layout: Layout, key: string, state: Json): Layout 
   const root = mapGroups(layout.root, (group) =>
     group.tabs.some((tab) => tab.key === key)
       ? { ...group, tabs: group.tabs.map((tab) => (tab.key === key ? { ...tab, state } : tab)) }
-      : group,
-  );
+      : group);
   return { ...layout, root };
 }
 
@@ -239,7 +234,7 @@ export function wouldCover(
 
 /** Which part of a box a point is over: near an edge it means the half beside that edge. */
 export function zoneAt(
-  box: { readonly left: number; readonly top: number; readonly width: number; readonly height: number },
+  box: { readonly left: number; readonly top: number; readonly width: number; readonly height: number; },
   x: number,
   y: number,
 ): Zone {
@@ -255,7 +250,7 @@ export function zoneAt(
   return nearest !== undefined && nearest[1] < 0.25 ? nearest[0] : 'into';
 }
 
-function areas(pane: Pane, area: number): readonly { group: Group; area: number }[] {
+function areas(pane: Pane, area: number): readonly { group: Group; area: number; }[] {
   if (pane.kind === 'group') return [{ group: pane, area }];
   return pane.children.flatMap((child, index) => areas(child, area * (pane.sizes[index] ?? 0)));
 }

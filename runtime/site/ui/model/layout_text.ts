@@ -8,13 +8,13 @@
 
 import { isRecord, member, numberMember, readJson, textMember } from './json.ts';
 import type { Json } from './json.ts';
-import { groupsOf, kMostPanels, makeGroup, makeSplit } from './layout.ts';
+import { groupsOf, MOST_PANELS, makeGroup, makeSplit } from './layout.ts';
 import type { Layout, Pane, PanelTab } from './layout.ts';
 
-const kMostDepth = 6;
-const kMostState = 8_192;
-const kMostText = 65_536;
-const kMostChildren = 12;
+const MOST_DEPTH = 6;
+const MOST_STATE = 8_192;
+const MOST_TEXT = 65_536;
+const MOST_CHILDREN = 12;
 
 export interface ReadLayout {
   /** null when nothing of it can be shown. */
@@ -37,7 +37,7 @@ export function readLayout(value: unknown, isKnown: (panel: string) => boolean):
 
 export function parseLayout(text: string, isKnown: (panel: string) => boolean): ReadLayout {
   const broken: ReadLayout = { layout: null, leftOut: [] };
-  if (text.length > kMostText) return broken;
+  if (text.length > MOST_TEXT) return broken;
   try {
     return readLayout(JSON.parse(text), isKnown);
   } catch {
@@ -71,8 +71,8 @@ class LayoutReader {
     const tabs = member(value, 'tabs');
     const list: readonly unknown[] = Array.isArray(tabs) ? tabs : [value];
     const key = this.paneKey();
-    const read = list.slice(0, kMostPanels).map((item) => this.tab(item));
-    const front = numberMember(value, 'front', 1, kMostPanels, 1) - 1;
+    const read = list.slice(0, MOST_PANELS).map((item) => this.tab(item));
+    const front = numberMember(value, 'front', 1, MOST_PANELS, 1) - 1;
     const kept = read.filter((tab) => tab !== null);
     return kept.length === 0 ? null : makeGroup(key, kept, read[front]?.key);
   }
@@ -83,7 +83,7 @@ class LayoutReader {
     value: unknown,
     depth: number,
   ): Pane | null {
-    if (depth >= kMostDepth || children.length > kMostChildren) {
+    if (depth >= MOST_DEPTH || children.length > MOST_CHILDREN) {
       this.omit(kind);
       return null;
     }
@@ -108,11 +108,11 @@ class LayoutReader {
   private tab(value: unknown): PanelTab | null {
     const entries = isRecord(value) ? Object.entries(value) : [];
     const name = typeof value === 'string' ? value : entries.length === 1 ? entries[0]?.[0] : null;
-    if (typeof name !== 'string' || !this.isKnown(name) || this.panels >= kMostPanels) {
+    if (typeof name !== 'string' || !this.isKnown(name) || this.panels >= MOST_PANELS) {
       this.omit(typeof name === 'string' ? name : '?');
       return null;
     }
-    const state = readJson(entries[0]?.[1] ?? null, kMostState);
+    const state = readJson(entries[0]?.[1] ?? null, MOST_STATE);
     if (state === undefined) {
       this.omit(name);
       return null;

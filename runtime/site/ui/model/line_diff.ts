@@ -11,7 +11,7 @@ export interface Change {
 }
 
 /** Steps of the search, whose memory grows with their square. */
-const kMostSteps = 1_000;
+const MOST_STEPS = 1_000;
 
 export function lineChanges(before: readonly string[], after: readonly string[]): readonly Change[] {
   const least = Math.min(before.length, after.length);
@@ -33,7 +33,7 @@ function keptLines(a: readonly string[], b: readonly string[]): (readonly [numbe
   // By diagonal (place in a less place in b): how far one gets in a with so many steps.
   const far = new Map<number, number>([[1, 0]]);
   const trace: Map<number, number>[] = [];
-  for (let steps = 0; steps <= Math.min(kMostSteps, a.length + b.length); steps += 1) {
+  for (let steps = 0; steps <= Math.min(MOST_STEPS, a.length + b.length); steps += 1) {
     trace.push(new Map(far));
     for (let k = -steps; k <= steps; k += 2) {
       let x = stepsDown(far, k, steps) ? (far.get(k + 1) ?? 0) : (far.get(k - 1) ?? 0) + 1;
@@ -60,7 +60,7 @@ function wayBack(trace: readonly ReadonlyMap<number, number>[], aLength: number,
     const from = stepsDown(far, k, steps) ? k + 1 : k - 1;
     const fromX = steps === 0 ? 0 : (far.get(from) ?? 0);
     const fromY = steps === 0 ? 0 : fromX - from;
-    while (x > fromX && y > fromY) kept.push([(x -= 1), (y -= 1)]);
+    while (x > fromX && y > fromY) kept.push([x -= 1, y -= 1]);
     x = fromX;
     y = fromY;
   }

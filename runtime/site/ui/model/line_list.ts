@@ -153,7 +153,7 @@ export function passes(line: DisplayLine, filter: LineFilter): boolean {
     }
   }
   return (
-    filter.text === '' ||
-    (line.prefix + line.plain).toLowerCase().includes(filter.text.toLowerCase())
+    filter.text === ''
+    || (line.prefix + line.plain).toLowerCase().includes(filter.text.toLowerCase())
   );
 }

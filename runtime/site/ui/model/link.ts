@@ -4,13 +4,13 @@
 
 import { fetchOfSite } from '../../program/carried_files.ts';
 
-const kHashLength = 16;
-const kMostFragment = 131_072;
+const HASH_LENGTH = 16;
+const MOST_FRAGMENT = 131_072;
 
 /** The fields of a fragment, with or without its "#". Never throws; an overlong one has none. */
 export function readFragment(fragment: string): URLSearchParams {
   const text = fragment.replace(/^#/, '');
-  return new URLSearchParams(text.length > kMostFragment ? '' : text);
+  return new URLSearchParams(text.length > MOST_FRAGMENT ? '' : text);
 }
 
 /** The fragment with these fields set, or removed where null; empty when none is left. */
@@ -29,7 +29,7 @@ export function changedFragment(
 
 /** As links carry it. */
 export async function siteHash(): Promise<string | null> {
-  return (await siteDigest())?.slice(0, kHashLength) ?? null;
+  return (await siteDigest())?.slice(0, HASH_LENGTH) ?? null;
 }
 
 /** sha256 of the site; null where site.json does not come. */

@@ -26,7 +26,7 @@ export interface DisplayLine {
   readonly time: number;
   /** `[talker-1] ` in a merged console, as `ros2 launch` prints it; else empty. */
   readonly prefix: string;
-  /** The line without escape sequences, at most kMaxShown characters. */
+  /** The line without escape sequences, at most MAX_SHOWN characters. */
   readonly plain: string;
   readonly level: Level | null;
   /** Set when the line is a ROS 2 log line without colours of its own. */
@@ -38,13 +38,12 @@ export interface DisplayLine {
 }
 
 /** Longer lines are cut for showing; "copy" gives them whole. */
-export const kMaxShown = 8192;
+export const MAX_SHOWN = 8192;
 
-const kPattern =
-  /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] (\[\d{1,20}\.\d{1,12}\]) (\[[^\]]{0,512}\]): (.*)$/s;
+const PATTERN = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] (\[\d{1,20}\.\d{1,12}\]) (\[[^\]]{0,512}\]): (.*)$/s;
 
 export function parseLogParts(plain: string): LogParts | null {
-  const match = kPattern.exec(plain);
+  const match = PATTERN.exec(plain);
   if (match === null) {
     return null;
   }
@@ -59,13 +58,11 @@ export function parseLogParts(plain: string): LogParts | null {
 
 export function displayLine(line: ConsoleLine, key: number, prefix: string): DisplayLine {
   const raw = expandTabs(lastOverwrite(line.text));
-  const cut =
-    raw.length > kMaxShown
-      ? `${raw.slice(0, kMaxShown)}\u2026 ${texts.moreCharacters(raw.length - kMaxShown)}`
-      : raw;
+  const cut = raw.length > MAX_SHOWN
+    ? `${raw.slice(0, MAX_SHOWN)}\u2026 ${texts.moreCharacters(raw.length - MAX_SHOWN)}`
+    : raw;
   const spans = parseAnsi(cut);
-  const plain =
-    spans.length === 1 ? (spans[0]?.text ?? '') : spans.map((span) => span.text).join('');
+  const plain = spans.length === 1 ? (spans[0]?.text ?? '') : spans.map((span) => span.text).join('');
   const coloured = spans.some(
     (span) => span.style.foreground !== null || span.style.background !== null || span.style.bold,
   );
@@ -83,7 +80,7 @@ export function displayLine(line: ConsoleLine, key: number, prefix: string): Dis
 }
 
 /** Columns by which the second and later rows of a line are set in. */
-export const kHang = 2;
+export const HANG = 2;
 
 /**
  * How many rows of `columns` characters the line takes, wrapped at spaces like the style sheet does it.
@@ -92,7 +89,7 @@ export const kHang = 2;
 export function rowsOf(line: DisplayLine, columns: number): number {
   const text = line.prefix + line.plain;
   if (line.simple && text.length <= columns) return 1;
-  const later = Math.max(1, columns - kHang);
+  const later = Math.max(1, columns - HANG);
   let rows = 1;
   let room = Math.max(1, columns);
   for (const word of text.split(/(?<= )(?=[^ ])/)) {
@@ -132,7 +129,7 @@ function expandTabs(text: string): string {
     return text;
   }
   let out = '';
-  for (const character of text.slice(0, kMaxShown * 2)) {
+  for (const character of text.slice(0, MAX_SHOWN * 2)) {
     out += character === '\t' ? ' '.repeat(8 - (out.length % 8)) : character;
   }
   return out;
@@ -142,15 +139,14 @@ function widthOf(text: string): number {
   let width = 0;
   for (const character of text) {
     const code = character.codePointAt(0) ?? 0;
-    const wide =
-      (code >= 0x1100 && code <= 0x115f) ||
-      (code >= 0x2e80 && code <= 0xa4cf) ||
-      (code >= 0xac00 && code <= 0xd7a3) ||
-      (code >= 0xf900 && code <= 0xfaff) ||
-      (code >= 0xfe30 && code <= 0xfe6f) ||
-      (code >= 0xff00 && code <= 0xff60) ||
-      (code >= 0x1f300 && code <= 0x1faff) ||
-      (code >= 0x20000 && code <= 0x3fffd);
+    const wide = (code >= 0x1100 && code <= 0x115f)
+      || (code >= 0x2e80 && code <= 0xa4cf)
+      || (code >= 0xac00 && code <= 0xd7a3)
+      || (code >= 0xf900 && code <= 0xfaff)
+      || (code >= 0xfe30 && code <= 0xfe6f)
+      || (code >= 0xff00 && code <= 0xff60)
+      || (code >= 0x1f300 && code <= 0x1faff)
+      || (code >= 0x20000 && code <= 0x3fffd);
     width += wide ? 2 : 1;
   }
   return width;

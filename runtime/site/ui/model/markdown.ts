@@ -7,9 +7,9 @@ import type { Token, TokenizerAndRendererExtension } from 'marked';
 export type MarkdownToken = Token;
 
 /** A longer text is shown as its source. */
-const kMostText = 1 << 20;
+const MOST_TEXT = 1 << 20;
 
-const kBlockMath: TokenizerAndRendererExtension = {
+const BLOCK_MATH: TokenizerAndRendererExtension = {
   name: 'block_math',
   level: 'block',
   start: (source) => source.match(/^\$\$/m)?.index,
@@ -19,7 +19,7 @@ const kBlockMath: TokenizerAndRendererExtension = {
   },
 };
 
-const kInlineMath: TokenizerAndRendererExtension = {
+const INLINE_MATH: TokenizerAndRendererExtension = {
   name: 'inline_math',
   level: 'inline',
   start: (source) => source.match(/\$/)?.index,
@@ -30,13 +30,13 @@ const kInlineMath: TokenizerAndRendererExtension = {
   },
 };
 
-const kReader = new Marked({ gfm: true, extensions: [kBlockMath, kInlineMath] });
+const READER = new Marked({ gfm: true, extensions: [BLOCK_MATH, INLINE_MATH] });
 
 /** null when the text cannot be read: too long, or nested too deep. */
 export function readMarkdown(text: string): readonly MarkdownToken[] | null {
-  if (text.length > kMostText) return null;
+  if (text.length > MOST_TEXT) return null;
   try {
-    return kReader.lexer(text);
+    return READER.lexer(text);
   } catch {
     return null;
   }

@@ -3,8 +3,8 @@
 
 export type MeshKind = 'stl' | 'dae' | 'obj' | 'gltf' | 'glb';
 
-const kKinds: ReadonlySet<string> = new Set<MeshKind>(['stl', 'dae', 'obj', 'gltf', 'glb']);
-const kMostCharacters = 2000;
+const KINDS: ReadonlySet<string> = new Set<MeshKind>(['stl', 'dae', 'obj', 'gltf', 'glb']);
+const MOST_CHARACTERS = 2000;
 
 /** By its ending; null: none that can be read. */
 export function meshKindOf(name: string): MeshKind | null {
@@ -13,7 +13,7 @@ export function meshKindOf(name: string): MeshKind | null {
 }
 
 function isKind(ending: string): ending is MeshKind {
-  return kKinds.has(ending);
+  return KINDS.has(ending);
 }
 
 /**
@@ -21,7 +21,7 @@ function isKind(ending: string): ending is MeshKind {
  * share/arm/meshes/hand.stl. null: it is not of a site.
  */
 export function sitePathOf(name: string): string | null {
-  if (name.length > kMostCharacters) return null;
+  if (name.length > MOST_CHARACTERS) return null;
   const [, inPackage] = /^(?:package|model):\/\/(.+)$/.exec(name) ?? [];
   const [, found, below] = /^(?:file:\/\/)?\$\(find(?:-pkg-share)? +([^()\s]+)\)\/(.+)$/.exec(name) ?? [];
   const [, shared] = /^(?:file:\/\/)?\/(?:.*?\/)?share\/(.+)$/.exec(name) ?? [];
@@ -31,7 +31,7 @@ export function sitePathOf(name: string): string | null {
 
 /** The path of the file that the file at `path` refers to as `name`. null: it is not a file of a site. */
 export function besidePath(path: string, name: string): string | null {
-  if (name.length > kMostCharacters) return null;
+  if (name.length > MOST_CHARACTERS) return null;
   if (/^[a-z][a-z0-9+.-]+:/i.test(name) || name.startsWith('/')) return sitePathOf(name);
   return normal(`${path.slice(0, path.lastIndexOf('/') + 1)}${unescaped(name).replaceAll('\\', '/')}`);
 }

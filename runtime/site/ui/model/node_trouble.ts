@@ -11,8 +11,8 @@ export interface NodeTrouble {
 }
 
 /** The class of an exception, perhaps with its module, and what it says. */
-const kException = /^[A-Za-z_][\w.]*(?:: .*|$)/;
-const kMostWords = 300;
+const EXCEPTION = /^[A-Za-z_][\w.]*(?:: .*|$)/;
+const MOST_WORDS = 300;
 
 /** null: nothing that was printed leads to the file. `path`: of the file in the installation. */
 export function nodeTrouble(lines: readonly string[], path: string): NodeTrouble | null {
@@ -30,7 +30,7 @@ export function nodeTrouble(lines: readonly string[], path: string): NodeTrouble
     }
     // The lines of a traceback are indented; the first that is not ends it.
     if (line === null || /^\s/.test(text) || text === '') continue;
-    if (kException.test(text)) found = { line, words: text.slice(0, kMostWords) };
+    if (EXCEPTION.test(text)) found = { line, words: text.slice(0, MOST_WORDS) };
     line = null;
   }
   return found;

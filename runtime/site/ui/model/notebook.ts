@@ -27,21 +27,21 @@ export interface Notebook {
 }
 
 export type ReadNotebook =
-  | { readonly kind: 'read'; readonly notebook: Notebook }
-  | { readonly kind: 'failed'; readonly reason: string };
+  | { readonly kind: 'read'; readonly notebook: Notebook; }
+  | { readonly kind: 'failed'; readonly reason: string; };
 
 const words = viewTexts.notebook.unread;
-export const kMostNotebook = 8 << 20;
-export const kMostCells = 1000;
-const kMostOutputs = 1000;
-const kNewestMinor = 5;
+export const MOST_NOTEBOOK = 8 << 20;
+export const MOST_CELLS = 1000;
+const MOST_OUTPUTS = 1000;
+const NEWEST_MINOR = 5;
 /** From this minor version on each cell has an id in the file. */
-const kMinorOfIds = 5;
-const kId = /^[a-zA-Z0-9_-]{1,64}$/;
+const MINOR_OF_IDS = 5;
+const ID = /^[a-zA-Z0-9_-]{1,64}$/;
 
 export function readNotebook(text: string): ReadNotebook {
   const failed = (reason: string): ReadNotebook => ({ kind: 'failed', reason });
-  if (text.length > kMostNotebook) return failed(words.tooLarge);
+  if (text.length > MOST_NOTEBOOK) return failed(words.tooLarge);
   let file: unknown;
   try {
     file = JSON.parse(text);
@@ -52,12 +52,12 @@ export function readNotebook(text: string): ReadNotebook {
   const { cells, ...kept } = file;
   if (member(file, 'nbformat') !== 4) return failed(words.otherFormat);
   if (!Array.isArray(cells)) return failed(words.noCells);
-  if (cells.length > kMostCells) return failed(words.tooMany(kMostCells));
+  if (cells.length > MOST_CELLS) return failed(words.tooMany(MOST_CELLS));
   const minor = member(file, 'nbformat_minor');
   if (typeof minor !== 'number' || !Number.isInteger(minor) || minor < 0) return failed(words.noMinor);
   const notebook = {
     cells: cells.filter(isRecord).map(readCell),
-    minor: Math.min(minor, kNewestMinor),
+    minor: Math.min(minor, NEWEST_MINOR),
     kept: { ...kept, metadata: isRecord(kept['metadata']) ? kept['metadata'] : {} },
   };
   return { kind: 'read', notebook };
@@ -79,7 +79,7 @@ function readCell(cell: Readonly<Record<string, unknown>>): NotebookCell {
     key: newKey(),
     kind,
     source: joined(cell['source']),
-    outputs: kind === 'code' && Array.isArray(outputs) ? outputs.filter(isRecord).slice(0, kMostOutputs) : [],
+    outputs: kind === 'code' && Array.isArray(outputs) ? outputs.filter(isRecord).slice(0, MOST_OUTPUTS) : [],
     count: kind === 'code' && Number.isInteger(count) ? (count as number) : null,
     kept: cell,
   };
@@ -100,19 +100,19 @@ function asLines(text: string): readonly string[] {
 }
 
 /** Parts of a cell that belong to its kind, and not to what a file may say beside it. */
-const kOwnParts = new Set(['cell_type', 'id', 'source', 'outputs', 'execution_count', 'metadata', 'attachments']);
+const OWN_PARTS = new Set(['cell_type', 'id', 'source', 'outputs', 'execution_count', 'metadata', 'attachments']);
 
 function writeCell(cell: NotebookCell, minor: number, taken: Set<string>): Record<string, unknown> {
-  const others = Object.entries(cell.kept).filter(([name]) => !kOwnParts.has(name));
+  const others = Object.entries(cell.kept).filter(([name]) => !OWN_PARTS.has(name));
   const wanted = textMember(cell.kept, 'id');
-  let id = kId.test(wanted) && !taken.has(wanted) ? wanted : cell.key;
+  let id = ID.test(wanted) && !taken.has(wanted) ? wanted : cell.key;
   while (taken.has(id)) id = newKey();
   taken.add(id);
   const attachments = cell.kept['attachments'];
   return {
     ...Object.fromEntries(others),
     cell_type: cell.kind,
-    ...(minor >= kMinorOfIds ? { id } : {}),
+    ...(minor >= MINOR_OF_IDS ? { id } : {}),
     metadata: isRecord(cell.kept['metadata']) ? cell.kept['metadata'] : {},
     ...(cell.kind !== 'code' && isRecord(attachments) ? { attachments } : {}),
     ...(cell.kind === 'code' ? { execution_count: cell.count, outputs: cell.outputs } : {}),

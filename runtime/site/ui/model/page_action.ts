@@ -4,32 +4,32 @@
 import type { Json } from './json.ts';
 
 export type PageAction =
-  | { readonly kind: 'open'; readonly panel: string; readonly state: Json }
-  | { readonly kind: 'start' | 'stop' | 'restart'; readonly node: string }
-  | { readonly kind: 'set_param'; readonly node: string; readonly name: string; readonly value: string }
-  | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string }
+  | { readonly kind: 'open'; readonly panel: string; readonly state: Json; }
+  | { readonly kind: 'start' | 'stop' | 'restart'; readonly node: string; }
+  | { readonly kind: 'set_param'; readonly node: string; readonly name: string; readonly value: string; }
+  | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string; }
   /** Without a type: as the graph has it. */
-  | { readonly kind: 'call' | 'goal'; readonly name: string; readonly type: string; readonly value: string }
+  | { readonly kind: 'call' | 'goal'; readonly name: string; readonly type: string; readonly value: string; }
   /** The title of the checks; empty: all. */
-  | { readonly kind: 'check'; readonly name: string }
+  | { readonly kind: 'check'; readonly name: string; }
   /** A line to type in the terminal. */
-  | { readonly kind: 'run'; readonly line: string }
-  | { readonly kind: 'pause' | 'resume' }
-  | { readonly kind: 'step'; readonly ms: number };
+  | { readonly kind: 'run'; readonly line: string; }
+  | { readonly kind: 'pause' | 'resume'; }
+  | { readonly kind: 'step'; readonly ms: number; };
 
-const kScheme = 'ros2wasm:';
-const kMostLength = 8_192;
-const kStepMs = 100;
-const kMostStepMs = 3_600_000;
+const SCHEME = 'ros2wasm:';
+const MOST_LENGTH = 8_192;
+const STEP_MS = 100;
+const MOST_STEP_MS = 3_600_000;
 
 export function isPageAction(href: string): boolean {
-  return href.toLowerCase().startsWith(kScheme);
+  return href.toLowerCase().startsWith(SCHEME);
 }
 
 /** null for one that means nothing. */
 export function readPageAction(href: string): PageAction | null {
-  if (!isPageAction(href) || href.length > kMostLength) return null;
-  const text = href.slice(kScheme.length);
+  if (!isPageAction(href) || href.length > MOST_LENGTH) return null;
+  const text = href.slice(SCHEME.length);
   const mark = text.indexOf('?');
   const name = mark === -1 ? text : text.slice(0, mark);
   const fields = new URLSearchParams(mark === -1 ? '' : text.slice(mark + 1));
@@ -66,8 +66,8 @@ export function readPageAction(href: string): PageAction | null {
     case 'resume':
       return { kind: name };
     case 'step': {
-      const ms = fields.has('ms') ? Number(field('ms')) : kStepMs;
-      return ms > 0 && ms <= kMostStepMs ? { kind: 'step', ms } : null;
+      const ms = fields.has('ms') ? Number(field('ms')) : STEP_MS;
+      return ms > 0 && ms <= MOST_STEP_MS ? { kind: 'step', ms } : null;
     }
     default:
       return null;

@@ -9,13 +9,13 @@ import { readNumber } from './draft_value.ts';
 import { panelTexts } from '../texts_panels.ts';
 
 /** Bytes that are shown of a byte array. */
-const kMostBytes = 64;
-const kLeast = -(1n << 63n);
-const kMost = (1n << 63n) - 1n;
+const MOST_BYTES = 64;
+const LEAST = -(1n << 63n);
+const MOST = (1n << 63n) - 1n;
 
 export type ReadParameter =
-  | { readonly kind: 'value'; readonly value: ParameterValue }
-  | { readonly kind: 'failed'; readonly reason: string };
+  | { readonly kind: 'value'; readonly value: ParameterValue; }
+  | { readonly kind: 'failed'; readonly reason: string; };
 
 /** The text in the field of a value. */
 export function parameterText(value: ParameterValue): string {
@@ -33,8 +33,8 @@ function itemText(item: unknown, field: string): string {
 }
 
 function bytesText(bytes: readonly number[]): string {
-  const shown = bytes.slice(0, kMostBytes).map((byte) => Number(byte).toString(16).padStart(2, '0'));
-  return bytes.length > kMostBytes ? `${shown.join(' ')} \u2026` : shown.join(' ');
+  const shown = bytes.slice(0, MOST_BYTES).map((byte) => Number(byte).toString(16).padStart(2, '0'));
+  return bytes.length > MOST_BYTES ? `${shown.join(' ')} \u2026` : shown.join(' ');
 }
 
 /** Is YAML read for parameters of this type? */
@@ -86,7 +86,7 @@ function itemsOf(items: readonly unknown[], field: string): readonly unknown[] |
 }
 
 function isInteger(value: unknown): value is bigint {
-  return typeof value === 'bigint' && value >= kLeast && value <= kMost;
+  return typeof value === 'bigint' && value >= LEAST && value <= MOST;
 }
 
 function failed(reason: string): ReadParameter {

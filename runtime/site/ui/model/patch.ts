@@ -10,8 +10,8 @@ export interface ChangedFile {
   readonly after: string;
 }
 
-const kContext = 3;
-const kNoEnd = '\\ No newline at end of file';
+const CONTEXT = 3;
+const NO_END = '\\ No newline at end of file';
 
 /** Empty when nothing differs. */
 export function makePatch(files: readonly ChangedFile[]): string {
@@ -38,7 +38,7 @@ function grouped(changes: readonly Change[]): (readonly Change[])[] {
   for (const change of changes) {
     const group = groups.at(-1);
     const last = group?.at(-1);
-    if (group === undefined || last === undefined || change.oldStart - last.oldStart - last.oldCount > 2 * kContext) groups.push([change]);
+    if (group === undefined || last === undefined || change.oldStart - last.oldStart - last.oldCount > 2 * CONTEXT) groups.push([change]);
     else group.push(change);
   }
   return groups;
@@ -48,14 +48,14 @@ function hunk(old: readonly string[], fresh: readonly string[], changes: readonl
   const first = changes[0];
   const last = changes.at(-1);
   if (first === undefined || last === undefined) return '';
-  const before = Math.min(kContext, first.oldStart);
+  const before = Math.min(CONTEXT, first.oldStart);
   const oldStart = first.oldStart - before;
   const newStart = first.newStart - before;
-  const oldEnd = Math.min(old.length, last.oldStart + last.oldCount + kContext);
+  const oldEnd = Math.min(old.length, last.oldStart + last.oldCount + CONTEXT);
   const newEnd = last.newStart + last.newCount + (oldEnd - last.oldStart - last.oldCount);
   const lines: string[] = [`@@ -${range(oldStart, oldEnd)} +${range(newStart, newEnd)} @@\n`];
   const add = (sign: string, line: string): void => {
-    lines.push(line.endsWith('\n') ? sign + line : `${sign}${line}\n${kNoEnd}\n`);
+    lines.push(line.endsWith('\n') ? sign + line : `${sign}${line}\n${NO_END}\n`);
   };
   let at = oldStart;
   for (const change of changes) {

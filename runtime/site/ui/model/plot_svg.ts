@@ -12,10 +12,10 @@ export interface Extent {
   readonly most: number;
 }
 
-const kWidth = 720;
-const kHeight = 405;
-const kBox = { left: 70, right: 16, top: 16, bottom: 46 };
-const kLegendRow = 18;
+const WIDTH = 720;
+const HEIGHT = 405;
+const BOX = { left: 70, right: 16, top: 16, bottom: 46 };
+const LEGEND_ROW = 18;
 
 /** The visible part of the axes; null: all of the points. */
 export interface SeenPart {
@@ -26,39 +26,37 @@ export interface SeenPart {
 export function plotSvg(lines: readonly Line[], xTitle: string, seen: SeenPart = { x: null, y: null }): string {
   const x = seen.x ?? extentOf(lines.flatMap((line) => line.points.map(([value]) => value)));
   const y = seen.y ?? padded(extentOf(lines.flatMap((line) => line.points.map(([, value]) => value))));
-  const height = kHeight + kLegendRow * lines.length;
-  const right = kWidth - kBox.right;
-  const bottom = kHeight - kBox.bottom;
-  const atX = (value: number): number =>
-    kBox.left + ((value - x.least) / (x.most - x.least)) * (right - kBox.left);
-  const atY = (value: number): number =>
-    bottom - ((value - y.least) / (y.most - y.least)) * (bottom - kBox.top);
+  const height = HEIGHT + LEGEND_ROW * lines.length;
+  const right = WIDTH - BOX.right;
+  const bottom = HEIGHT - BOX.bottom;
+  const atX = (value: number): number => BOX.left + ((value - x.least) / (x.most - x.least)) * (right - BOX.left);
+  const atY = (value: number): number => bottom - ((value - y.least) / (y.most - y.least)) * (bottom - BOX.top);
   const parts = [
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${kWidth}" height="${height}" viewBox="0 0 ${kWidth} ${height}" font-family="sans-serif" font-size="12">`,
-    `<rect width="${kWidth}" height="${height}" fill="#ffffff"/>`,
-    `<clipPath id="seen"><rect x="${kBox.left}" y="${kBox.top}" width="${right - kBox.left}" height="${bottom - kBox.top}"/></clipPath>`,
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${height}" viewBox="0 0 ${WIDTH} ${height}" font-family="sans-serif" font-size="12">`,
+    `<rect width="${WIDTH}" height="${height}" fill="#ffffff"/>`,
+    `<clipPath id="seen"><rect x="${BOX.left}" y="${BOX.top}" width="${right - BOX.left}" height="${bottom - BOX.top}"/></clipPath>`,
   ];
   for (const tick of ticks(x, 8)) {
     const at = fixed(atX(tick));
-    parts.push(`<line x1="${at}" y1="${kBox.top}" x2="${at}" y2="${bottom}" stroke="#dddddd"/>`);
+    parts.push(`<line x1="${at}" y1="${BOX.top}" x2="${at}" y2="${bottom}" stroke="#dddddd"/>`);
     parts.push(`<text x="${at}" y="${bottom + 16}" text-anchor="middle">${round(tick)}</text>`);
   }
   for (const tick of ticks(y, 6)) {
     const at = fixed(atY(tick));
-    parts.push(`<line x1="${kBox.left}" y1="${at}" x2="${right}" y2="${at}" stroke="#dddddd"/>`);
-    parts.push(`<text x="${kBox.left - 6}" y="${fixed(atY(tick) + 4)}" text-anchor="end">${round(tick)}</text>`);
+    parts.push(`<line x1="${BOX.left}" y1="${at}" x2="${right}" y2="${at}" stroke="#dddddd"/>`);
+    parts.push(`<text x="${BOX.left - 6}" y="${fixed(atY(tick) + 4)}" text-anchor="end">${round(tick)}</text>`);
   }
   parts.push(
-    `<path d="M${kBox.left} ${kBox.top}V${bottom}H${right}" fill="none" stroke="#333333"/>`,
-    `<text x="${(kBox.left + right) / 2}" y="${bottom + 36}" text-anchor="middle">${escaped(xTitle)}</text>`,
+    `<path d="M${BOX.left} ${BOX.top}V${bottom}H${right}" fill="none" stroke="#333333"/>`,
+    `<text x="${(BOX.left + right) / 2}" y="${bottom + 36}" text-anchor="middle">${escaped(xTitle)}</text>`,
   );
   lines.forEach((line, index) => {
     const path = pathOf(line.points, atX, atY);
     parts.push(`<path d="${path}" fill="none" stroke="${escaped(line.color)}" stroke-width="1.5" stroke-linejoin="round" clip-path="url(#seen)"/>`);
-    const row = kHeight + kLegendRow * index;
+    const row = HEIGHT + LEGEND_ROW * index;
     parts.push(
-      `<rect x="${kBox.left}" y="${row}" width="14" height="4" fill="${escaped(line.color)}"/>`,
-      `<text x="${kBox.left + 22}" y="${row + 7}">${escaped(line.name)}</text>`,
+      `<rect x="${BOX.left}" y="${row}" width="14" height="4" fill="${escaped(line.color)}"/>`,
+      `<text x="${BOX.left + 22}" y="${row + 7}">${escaped(line.name)}</text>`,
     );
   });
   return `${parts.join('\n')}\n</svg>\n`;

@@ -4,12 +4,12 @@ import type { Extent } from './plot_svg.ts';
 import type { NamedSamples, Samples } from './samples.ts';
 
 /** Shares of their size that numbers can still tell apart. */
-const kFinest = 1e-12;
+const FINEST = 1e-12;
 
 /** Smaller for factors above one; `around` stays where it is. */
 export function zoomedExtent({ least, most }: Extent, factor: number, around = (least + most) / 2): Extent {
   const next = { least: around - (around - least) / factor, most: around + (most - around) / factor };
-  const finest = kFinest * Math.max(Math.abs(next.least), Math.abs(next.most), kFinest);
+  const finest = FINEST * Math.max(Math.abs(next.least), Math.abs(next.most), FINEST);
   return next.most - next.least > finest ? next : { least, most };
 }
 
@@ -24,7 +24,7 @@ export function momentBeside(series: readonly NamedSamples[], time: number, dire
   let found: number | null = null;
   for (const { samples } of series) {
     let at = samples.from(time);
-    if (direction === 1) while (at < samples.length && samples.time(at) === time) at += 1;
+    if (direction === 1) { while (at < samples.length && samples.time(at) === time) at += 1; }
     else at -= 1;
     if (at < 0 || at >= samples.length) continue;
     const here = samples.time(at);

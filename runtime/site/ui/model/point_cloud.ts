@@ -32,11 +32,11 @@ interface Field {
   readonly datatype: number;
 }
 
-export const kMostPoints = 1_000_000;
-const kFarthest = 1e7;
+export const MOST_POINTS = 1_000_000;
+const FARTHEST = 1e7;
 
 /** Bytes of each datatype of sensor_msgs/msg/PointField, by its number. */
-const kSizes: readonly number[] = [0, 1, 1, 2, 2, 4, 4, 4, 8];
+const SIZES: readonly number[] = [0, 1, 1, 2, 2, 4, 4, 4, 8];
 
 export function readCloud(message: unknown, by: PointColors = {}): PointCloud | CloudFault {
   const data = member(message, 'data');
@@ -53,7 +53,7 @@ export function readCloud(message: unknown, by: PointColors = {}): PointCloud | 
   const isLittle = asNumber(member(message, 'is_bigendian')) === 0;
   // Only what the data really holds.
   const held = Math.min(width * height, Math.floor(data.byteLength / step));
-  const count = Math.min(held, kMostPoints);
+  const count = Math.min(held, MOST_POINTS);
 
   const positions = new Float32Array(count * 3);
   const sources = new Uint32Array(count);
@@ -65,7 +65,7 @@ export function readCloud(message: unknown, by: PointColors = {}): PointCloud | 
     const start = Math.floor(i / width) * rows + (i % width) * step;
     if (start + step > data.byteLength) break;
     const [a, b, c] = [number(view, start, x, isLittle), number(view, start, y, isLittle), number(view, start, z, isLittle)];
-    if (!(Math.abs(a) < kFarthest && Math.abs(b) < kFarthest && Math.abs(c) < kFarthest)) continue;
+    if (!(Math.abs(a) < FARTHEST && Math.abs(b) < FARTHEST && Math.abs(c) < FARTHEST)) continue;
     const at = found * 3;
     positions[at] = a;
     positions[at + 1] = b;
@@ -94,7 +94,7 @@ function channelOf(
   fields: ReadonlyMap<string, Field>,
   height: Field,
   channel: string | undefined,
-): { readonly packed?: Field | undefined; readonly measured?: Field | undefined } {
+): { readonly packed?: Field | undefined; readonly measured?: Field | undefined; } {
   if (channel === 'flat') return {};
   const packed = fields.get('rgb') ?? fields.get('rgba');
   const named = channel === undefined || channel === 'rgb' ? undefined : fields.get(channel);
@@ -125,7 +125,7 @@ function readFields(value: unknown, step: number): ReadonlyMap<string, Field> {
     const name = member(item, 'name');
     const offset = asNumber(member(item, 'offset'));
     const datatype = asNumber(member(item, 'datatype'));
-    const size = kSizes[datatype] ?? 0;
+    const size = SIZES[datatype] ?? 0;
     if (typeof name !== 'string' || size === 0 || !(offset >= 0) || offset + size > step) continue;
     // Packed colours are four bytes, whatever they are called.
     if ((name === 'rgb' || name === 'rgba') && size !== 4) continue;
@@ -169,7 +169,7 @@ export function colored(values: Float32Array, by: PointColors): Float32Array {
   for (let i = 0; i < values.length; i += 1) {
     const value = values[i] ?? NaN;
     const part = most > least && Number.isFinite(value) ? Math.max(0, Math.min(1, (value - least) / (most - least))) : 0.5;
-    const index = Math.round(part * (kShades - 1)) * 3;
+    const index = Math.round(part * (SHADES - 1)) * 3;
     for (let channel = 0; channel < 3; channel += 1) colors[i * 3 + channel] = shades[index + channel] ?? 0;
   }
   return colors;
@@ -185,5 +185,5 @@ function rainbow(part: number): readonly [number, number, number] {
   return [channel(5), channel(3), channel(1)];
 }
 
-const kShades = 512;
-const shades = Float32Array.from(Array.from({ length: kShades }, (_, i) => [...rainbow(i / (kShades - 1))]).flat());
+const SHADES = 512;
+const shades = Float32Array.from(Array.from({ length: SHADES }, (_, i) => [...rainbow(i / (SHADES - 1))]).flat());

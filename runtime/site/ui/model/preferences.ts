@@ -3,14 +3,14 @@
 
 export type Theme = 'system' | 'light' | 'dark';
 
-const kThemes: readonly Theme[] = ['system', 'light', 'dark'];
+const THEMES: readonly Theme[] = ['system', 'light', 'dark'];
 
 export interface Store {
   getItem(key: string): string | null;
   setItem(key: string, value: string): void;
 }
 
-const kPrefix = 'ros2wasm.';
+const PREFIX = 'ros2wasm.';
 
 /** The browser's storage, or null where it is refused (private windows, sandboxed frames). */
 export function browserStore(): Store | null {
@@ -33,8 +33,8 @@ export function readPreference<T extends string>(
 
 /** The visitor's theme; else the one the author chose (`ui: theme:` in the manifest); else the system's. */
 export function readTheme(store: Store | null, chosenByAuthor: unknown): Theme {
-  const fallback = kThemes.find((theme) => theme === chosenByAuthor) ?? 'system';
-  return readPreference(store, 'theme', kThemes, fallback);
+  const fallback = THEMES.find((theme) => theme === chosenByAuthor) ?? 'system';
+  return readPreference(store, 'theme', THEMES, fallback);
 }
 
 /** The text that was stored under that name, unchecked. */
@@ -44,7 +44,7 @@ export function readText(store: Store | null, name: string): string | null {
 
 export function writePreference(store: Store | null, name: string, value: string): void {
   try {
-    store?.setItem(kPrefix + name, value);
+    store?.setItem(PREFIX + name, value);
   } catch {
     // Full or refused: the choice holds until the page is closed.
   }
@@ -52,7 +52,7 @@ export function writePreference(store: Store | null, name: string, value: string
 
 function read(store: Store | null, name: string): string | null {
   try {
-    return store?.getItem(kPrefix + name) ?? null;
+    return store?.getItem(PREFIX + name) ?? null;
   } catch {
     return null;
   }

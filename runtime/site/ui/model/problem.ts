@@ -11,23 +11,22 @@ export interface Problem {
   readonly fix: readonly string[];
 }
 
-const kUnknown = 'R2W0792';
+const UNKNOWN = 'R2W0792';
 
 /** Reads an unknown thrown value. Errors of the launcher carry `code`, `why`, `fix` and `place`. */
 export function problemOf(thrown: unknown): Problem {
   if (typeof thrown === 'object' && thrown !== null) {
-    const field = (name: string): unknown =>
-      name in thrown ? (thrown as Record<string, unknown>)[name] : undefined;
+    const field = (name: string): unknown => name in thrown ? (thrown as Record<string, unknown>)[name] : undefined;
     const code = field('code');
     return {
-      code: typeof code === 'string' && /^R2W\d{4}$/.test(code) ? code as DiagnosticCode : kUnknown,
+      code: typeof code === 'string' && /^R2W\d{4}$/.test(code) ? code as DiagnosticCode : UNKNOWN,
       what: textOf(field('what')) ?? textOf(field('message')) ?? String(thrown),
       place: placeOf(field('place') ?? field('source')),
       why: textsOf(field('why')),
       fix: textsOf(field('fix')),
     };
   }
-  return { code: kUnknown, what: String(thrown), place: null, why: [], fix: [] };
+  return { code: UNKNOWN, what: String(thrown), place: null, why: [], fix: [] };
 }
 
 /** The text of a problem, as the terminal would print it. */

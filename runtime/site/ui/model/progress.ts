@@ -10,18 +10,18 @@ export interface TaskProgress {
   readonly hintAt?: string;
   readonly solutionAt?: string;
   /** The value that decided each check, once the task is done. */
-  readonly seen: readonly { readonly title: string; readonly seen: string }[];
+  readonly seen: readonly { readonly title: string; readonly seen: string; }[];
 }
 
 export type Progress = readonly TaskProgress[];
 
-const kSchema = 1;
-const kMostText = 262_144;
-const kMostTasks = 1000;
-const kMostChecks = 100;
-const kMostWords = 500;
-const kTime = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,3})?Z$/;
-const kMoments = ['doneAt', 'hintAt', 'solutionAt'] as const;
+const SCHEMA = 1;
+const MOST_TEXT = 262_144;
+const MOST_TASKS = 1000;
+const MOST_CHECKS = 100;
+const MOST_WORDS = 500;
+const TIME = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,3})?Z$/;
+const MOMENTS = ['doneAt', 'hintAt', 'solutionAt'] as const;
 
 /** Name under which it is kept: `place` is the path of the lab's folder, or of a page that carries its files. */
 export function progressName(place: string): string {
@@ -30,16 +30,16 @@ export function progressName(place: string): string {
 
 /** Nothing of what is not as progressText() writes it. */
 export function readProgress(text: string | null): Progress {
-  if (text === null || text.length > kMostText) return [];
+  if (text === null || text.length > MOST_TEXT) return [];
   let json: unknown;
   try {
     json = JSON.parse(text);
   } catch {
     return [];
   }
-  if (!isRecord(json) || json['schema'] !== kSchema || !Array.isArray(json['tasks'])) return [];
+  if (!isRecord(json) || json['schema'] !== SCHEMA || !Array.isArray(json['tasks'])) return [];
   const found = new Map<string, TaskProgress>();
-  for (const item of (json['tasks'] as readonly unknown[]).slice(0, kMostTasks)) {
+  for (const item of (json['tasks'] as readonly unknown[]).slice(0, MOST_TASKS)) {
     const title = textMember(item, 'title');
     if (title !== '') found.set(title, readTask(item, title));
   }
@@ -47,23 +47,24 @@ export function readProgress(text: string | null): Progress {
 }
 
 function readTask(item: unknown, title: string): TaskProgress {
-  const moments: { doneAt?: string; hintAt?: string; solutionAt?: string } = {};
-  for (const name of kMoments) {
+  const moments: { doneAt?: string; hintAt?: string; solutionAt?: string; } = {};
+  for (const name of MOMENTS) {
     const time = textMember(item, name);
-    if (kTime.test(time) && !Number.isNaN(Date.parse(time))) moments[name] = time;
+    if (TIME.test(time) && !Number.isNaN(Date.parse(time))) moments[name] = time;
   }
   const seen = isRecord(item) && Array.isArray(item['seen']) ? (item['seen'] as readonly unknown[]) : [];
   return {
     title,
     ...moments,
-    seen: seen.slice(0, kMostChecks).map((one) => ({
-      title: textMember(one, 'title').slice(0, kMostWords), seen: textMember(one, 'seen').slice(0, kMostWords),
+    seen: seen.slice(0, MOST_CHECKS).map((one) => ({
+      title: textMember(one, 'title').slice(0, MOST_WORDS),
+      seen: textMember(one, 'seen').slice(0, MOST_WORDS),
     })),
   };
 }
 
 export function progressText(progress: Progress): string {
-  return JSON.stringify({ schema: kSchema, tasks: progress });
+  return JSON.stringify({ schema: SCHEMA, tasks: progress });
 }
 
 /** Two tabs of one lab: what either has done is done, since the earlier time. In the order of the first, then the second. */
@@ -77,8 +78,8 @@ export function merged(one: Progress, other: Progress): Progress {
 }
 
 function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
-  const moments: { doneAt?: string; hintAt?: string; solutionAt?: string } = {};
-  for (const name of kMoments) {
+  const moments: { doneAt?: string; hintAt?: string; solutionAt?: string; } = {};
+  for (const name of MOMENTS) {
     const times = [one[name], other[name]].filter((time) => time !== undefined).sort();
     if (times[0] !== undefined) moments[name] = times[0];
   }

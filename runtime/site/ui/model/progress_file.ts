@@ -3,13 +3,13 @@
 
 import type { Progress } from './progress.ts';
 
-const kFormat = 'ros2wasm progress';
-const kSchema = 1;
+const FORMAT = 'ros2wasm progress';
+const SCHEMA = 1;
 /** Before the record where it is signed: a signature over something else never fits. */
-const kSignedAs = 'ros2wasm progress 1\n';
-export const kMostName = 200;
+const SIGNED_AS = 'ros2wasm progress 1\n';
+export const MOST_NAME = 200;
 /** Characters that a terminal or a table does not show as they are. bundler/verify/progress_file.cpp refuses them. */
-const kSteering = /[\p{Cc}\u2028-\u202e\u2066-\u2069\ufeff]/gu;
+const STEERING = /[\p{Cc}\u2028-\u202e\u2066-\u2069\ufeff]/gu;
 
 export interface LabRecord {
   readonly title: string;
@@ -28,7 +28,7 @@ export interface ProgressRecord {
 
 /** One line without control characters; null when nothing is left of it. */
 export function studentName(typed: string): string | null {
-  const name = typed.replace(kSteering, ' ').trim().slice(0, kMostName).toWellFormed();
+  const name = typed.replace(STEERING, ' ').trim().slice(0, MOST_NAME).toWellFormed();
   return name === '' ? null : name;
 }
 
@@ -52,15 +52,15 @@ export function recordText({ student, exportedAt, course, labs }: ProgressRecord
 }
 
 function plain(text: string): string {
-  return text.replace(kSteering, ' ');
+  return text.replace(STEERING, ' ');
 }
 
 export function signedBytes(record: string): Uint8Array<ArrayBuffer> {
-  return new TextEncoder().encode(kSignedAs + record);
+  return new TextEncoder().encode(SIGNED_AS + record);
 }
 
 export function fileText(record: string, key: Uint8Array, signature: Uint8Array): string {
-  return `${JSON.stringify({ format: kFormat, schema: kSchema, record, key: base64(key), signature: base64(signature) }, null, 1)}\n`;
+  return `${JSON.stringify({ format: FORMAT, schema: SCHEMA, record, key: base64(key), signature: base64(signature) }, null, 1)}\n`;
 }
 
 function base64(bytes: Uint8Array): string {

@@ -6,12 +6,11 @@ import { placeText } from './problem.ts';
 export function siteReport(session: Session, userAgent: string, isolated: boolean): string {
   const { site, link } = session;
   const nodes = session.nodes().map((node) => {
-    const state =
-      node.state.kind === 'exited'
-        ? `exited ${node.state.code}`
-        : node.state.kind === 'crashed'
-          ? `crashed ${node.state.code}: ${node.state.message}`
-          : node.state.kind;
+    const state = node.state.kind === 'exited'
+      ? `exited ${node.state.code}`
+      : node.state.kind === 'crashed'
+      ? `crashed ${node.state.code}: ${node.state.message}`
+      : node.state.kind;
     const place = node.source === undefined ? '' : ` (${placeText(node.source)})`;
     return `  ${node.id} ${node.label}${place}: ${state}`;
   });

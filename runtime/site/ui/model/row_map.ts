@@ -7,7 +7,7 @@ interface Block {
   sum: number;
 }
 
-const kBlock = 256;
+const BLOCK = 256;
 
 export class RowMap {
   private blocks: Block[] = [];
@@ -26,7 +26,7 @@ export class RowMap {
 
   push(rows: number): void {
     let last = this.blocks.at(-1);
-    if (last === undefined || last.rows.length === kBlock) {
+    if (last === undefined || last.rows.length === BLOCK) {
       last = { rows: [], sum: 0 };
       this.blocks.push(last);
     }
@@ -75,13 +75,13 @@ export class RowMap {
   /** The rows above line `index`. */
   offsetOf(index: number): number {
     const place = Math.min(index, this.lines) + this.skipped;
-    const blockIndex = Math.floor(place / kBlock);
+    const blockIndex = Math.floor(place / BLOCK);
     let offset = 0;
     for (let i = 0; i < blockIndex; i += 1) {
       offset += this.blocks[i]?.sum ?? 0;
     }
     const block = this.blocks[blockIndex];
-    for (let i = 0; i < place % kBlock; i += 1) {
+    for (let i = 0; i < place % BLOCK; i += 1) {
       offset += block?.rows[i] ?? 0;
     }
     return offset;
@@ -97,7 +97,7 @@ export class RowMap {
         for (let i = 0; i < block.rows.length; i += 1) {
           offset += block.rows[i] ?? 0;
           if (row < offset) {
-            return b * kBlock + i - this.skipped;
+            return b * BLOCK + i - this.skipped;
           }
         }
       }
@@ -108,16 +108,16 @@ export class RowMap {
 
   rowsAt(index: number): number {
     const place = index + this.skipped;
-    return this.blocks[Math.floor(place / kBlock)]?.rows[place % kBlock] ?? 0;
+    return this.blocks[Math.floor(place / BLOCK)]?.rows[place % BLOCK] ?? 0;
   }
 
   /** Corrects a line that turned out higher or lower than reckoned. */
   set(index: number, rows: number): void {
     const place = index + this.skipped;
-    const block = this.blocks[Math.floor(place / kBlock)];
+    const block = this.blocks[Math.floor(place / BLOCK)];
     if (block === undefined) return;
-    const change = rows - (block.rows[place % kBlock] ?? 0);
-    block.rows[place % kBlock] = rows;
+    const change = rows - (block.rows[place % BLOCK] ?? 0);
+    block.rows[place % BLOCK] = rows;
     block.sum += change;
     this.total += change;
   }

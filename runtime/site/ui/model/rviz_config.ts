@@ -2,12 +2,12 @@
 // pictures, grid, names of frames, where tools publish. Loaded when such a file is opened. The file may be anything.
 
 import { parseDocument } from 'yaml';
-import { kFieldOfView, readView } from './camera_view.ts';
+import { FIELD_OF_VIEW, readView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';
 import { member, textMember } from './json.ts';
 import { readLook } from './display_look.ts';
 import type { DisplayLook, Looks } from './display_look.ts';
-import { kMostImages, kMostKept, readVariance } from './scene_options.ts';
+import { MOST_IMAGES, MOST_KEPT, readVariance } from './scene_options.ts';
 import type { ImageOverlay, SceneOptions } from './scene_options.ts';
 import { frameName } from './transform.ts';
 
@@ -17,23 +17,40 @@ export interface RvizScene {
   readonly leftOut: readonly string[];
 }
 
-const kMostCharacters = 1 << 20;
-const kMostDisplays = 200;
-const kDeepest = 8;
+const MOST_CHARACTERS = 1 << 20;
+const MOST_DISPLAYS = 200;
+const DEEPEST = 8;
 /** RViz writes pixels for a metre; this is taken for the height of its picture. */
-const kPictureHeight = 600;
-const kUsualBackground = '#303030';
+const PICTURE_HEIGHT = 600;
+const USUAL_BACKGROUND = '#303030';
 
 /** Displays with a topic that the scene draws. `pack` tells by the same list what the page has (bundler/launch/rviz_config.cpp). */
-export const kDrawn: ReadonlySet<string> = new Set([
-  'AccelStamped', 'GridCells', 'LaserScan', 'Map', 'Marker', 'MarkerArray', 'Odometry', 'Path', 'PointCloud2', 'PointStamped',
-  'Polygon', 'Pose', 'PoseArray', 'PoseWithCovariance', 'Range', 'RobotModel', 'TwistStamped', 'Wrench', 'WrenchStamped',
+export const DRAWN: ReadonlySet<string> = new Set([
+  'AccelStamped',
+  'GridCells',
+  'LaserScan',
+  'Map',
+  'Marker',
+  'MarkerArray',
+  'Odometry',
+  'Path',
+  'PointCloud2',
+  'PointStamped',
+  'Polygon',
+  'Pose',
+  'PoseArray',
+  'PoseWithCovariance',
+  'Range',
+  'RobotModel',
+  'TwistStamped',
+  'Wrench',
+  'WrenchStamped',
 ]);
 /** Displays whose topic is shown as a picture over the scene. The drawings of Camera in its picture are not shown. */
-const kPictures: ReadonlySet<string> = new Set(['Image', 'Camera']);
+const PICTURES: ReadonlySet<string> = new Set(['Image', 'Camera']);
 /** `rviz` is what ROS 1 calls it. */
-const kLibraries: ReadonlySet<string> = new Set(['rviz_default_plugins/', 'rviz/']);
-const kTopics = ['Topic', 'Description Topic', 'Image Topic', 'Marker Topic'] as const;
+const LIBRARIES: ReadonlySet<string> = new Set(['rviz_default_plugins/', 'rviz/']);
+const TOPICS = ['Topic', 'Description Topic', 'Image Topic', 'Marker Topic'] as const;
 
 interface Display {
   /** Empty: of somebody else's library. */
@@ -47,17 +64,17 @@ export function readRviz(text: string): RvizScene | null {
   const root = member(parsed(text), 'Visualization Manager');
   const displays = member(root, 'Displays');
   if (!Array.isArray(displays)) return null;
-  const on = [...enabled(displays, 0)].slice(0, kMostDisplays);
+  const on = [...enabled(displays, 0)].slice(0, MOST_DISPLAYS);
   const topics = new Set<string>();
   const leftOut: string[] = [];
   const looks: Record<string, DisplayLook> = {};
   const images: ImageOverlay[] = [];
   for (const { kind, name, value } of on) {
     if (kind === 'Grid' || kind === 'TF') continue;
-    const topic = kTopics.map((key) => topicOf(member(value, key))).find((each) => each !== '');
-    if (topic !== undefined && kPictures.has(kind) && images.length < kMostImages) {
+    const topic = TOPICS.map((key) => topicOf(member(value, key))).find((each) => each !== '');
+    if (topic !== undefined && PICTURES.has(kind) && images.length < MOST_IMAGES) {
       if (!images.some((image) => image.topic === topic)) images.push({ topic, size: 'small' });
-    } else if (topic === undefined || !kDrawn.has(kind)) leftOut.push(name);
+    } else if (topic === undefined || !DRAWN.has(kind)) leftOut.push(name);
     else {
       topics.add(topic);
       const look = lookOf(kind, value);
@@ -84,7 +101,7 @@ export function readRviz(text: string): RvizScene | null {
       ...(frame === '' ? {} : { frame }),
       ...(view === null ? {} : { view }),
       // Each new file of RViz has that one: the page's own, which follows its theme, stands for it.
-      ...(background === null || background === kUsualBackground ? {} : { background }),
+      ...(background === null || background === USUAL_BACKGROUND ? {} : { background }),
       ...(goal === '' ? {} : { goal }),
       ...(estimate === '' ? {} : { estimate }),
       ...(estimating === undefined ? {} : { variance: varianceOf(estimating) }),
@@ -94,14 +111,14 @@ export function readRviz(text: string): RvizScene | null {
       looks: looks satisfies Looks,
       images,
       // 0 is without end there.
-      ...(typeof keep === 'number' ? { keep: keep >= 1 && keep <= kMostKept ? keep : kMostKept } : {}),
+      ...(typeof keep === 'number' ? { keep: keep >= 1 && keep <= MOST_KEPT ? keep : MOST_KEPT } : {}),
     },
     leftOut,
   };
 }
 
 function parsed(text: string): unknown {
-  if (text.length > kMostCharacters) return undefined;
+  if (text.length > MOST_CHARACTERS) return undefined;
   try {
     const document = parseDocument(text, { logLevel: 'silent' });
     return document.errors.length > 0 ? undefined : document.toJS({ maxAliasCount: 100 });
@@ -112,7 +129,7 @@ function parsed(text: string): unknown {
 
 /** Displays within groups count when all groups around them are on. */
 function* enabled(list: unknown, depth: number): Iterable<Display> {
-  if (!Array.isArray(list) || depth > kDeepest) return;
+  if (!Array.isArray(list) || depth > DEEPEST) return;
   for (const value of list as readonly unknown[]) {
     // As RViz: what does not say so is off, and its value stands for that.
     if ((member(value, 'Enabled') ?? member(value, 'Value')) !== true) continue;
@@ -121,7 +138,7 @@ function* enabled(list: unknown, depth: number): Iterable<Display> {
       yield* enabled(member(value, 'Displays'), depth + 1);
       continue;
     }
-    const isKnown = kLibraries.has(library);
+    const isKnown = LIBRARIES.has(library);
     const name = textMember(value, 'Name').slice(0, 80);
     if (plain !== '') yield { kind: isKnown ? plain : '', name: name === '' ? plain : name, value };
   }
@@ -139,16 +156,21 @@ function viewOf(view: unknown): CameraView | null {
     case 'Orbit':
     case 'XYOrbit':
       return readView({
-        x: member(at, 'X'), y: member(at, 'Y'), z: member(at, 'Z'),
+        x: member(at, 'X'),
+        y: member(at, 'Y'),
+        z: member(at, 'Z'),
         distance: member(view, 'Distance'),
         azimuth: turn(member(view, 'Yaw')),
         elevation: member(view, 'Pitch'),
       });
     case 'TopDownOrtho': {
       const scale = member(view, 'Scale');
-      const seen = typeof scale === 'number' ? kPictureHeight / Math.abs(scale) : NaN;
+      const seen = typeof scale === 'number' ? PICTURE_HEIGHT / Math.abs(scale) : NaN;
       return readView({
-        x: member(view, 'X'), y: member(view, 'Y'), top: true, distance: seen / (2 * Math.tan(kFieldOfView / 2)),
+        x: member(view, 'X'),
+        y: member(view, 'Y'),
+        top: true,
+        distance: seen / (2 * Math.tan(FIELD_OF_VIEW / 2)),
       });
     }
     default:
@@ -174,7 +196,9 @@ function varianceOf(tool: unknown): SceneOptions['variance'] {
 /** The settings of a display that the scene has, too. Those that are as RViz has them at first are left to the scene. */
 function lookOf(kind: string, display: unknown): DisplayLook {
   const alpha = member(display, 'Alpha');
-  const color = colorOf(member(display, kind.startsWith('Wrench') ? 'Force Color' : kind.endsWith('Stamped') && kind !== 'PointStamped' ? 'Linear Color' : 'Color'));
+  const color = colorOf(
+    member(display, kind.startsWith('Wrench') ? 'Force Color' : kind.endsWith('Stamped') && kind !== 'PointStamped' ? 'Linear Color' : 'Color'),
+  );
   const isPoints = kind === 'LaserScan' || kind === 'PointCloud2';
   const scheme = member(display, 'Color Scheme');
   return readLook({

@@ -1,7 +1,7 @@
 // Numbers over time, the newest so many of them; what a plot draws and writes to files. Times are seconds. Pure.
 
 /** Seconds. Messages of several publishers come a little out of order; a clock that restarts goes back further. */
-export const kApart = 1;
+export const APART = 1;
 
 export class Samples {
   private times: Float64Array;
@@ -20,11 +20,11 @@ export class Samples {
     return this.count;
   }
 
-  /** When time goes back by more than kApart (a restart of the site's clock), all earlier samples are dropped. */
+  /** When time goes back by more than APART (a restart of the site's clock), all earlier samples are dropped. */
   add(published: number, value: number): void {
     const last = this.count > 0 ? this.time(this.count - 1) : published;
-    if (last - published > kApart) this.clear();
-    const time = last - published > kApart ? published : Math.max(published, last);
+    if (last - published > APART) this.clear();
+    const time = last - published > APART ? published : Math.max(published, last);
     if (this.count === this.times.length && this.count < this.capacity) this.grow();
     const size = this.times.length;
     if (this.count === size) {
@@ -98,7 +98,7 @@ export interface NamedSamples {
 export function aligned(
   series: readonly NamedSamples[],
   since: number,
-): { readonly times: Float64Array; readonly columns: readonly (readonly (number | null)[])[] } {
+): { readonly times: Float64Array; readonly columns: readonly (readonly (number | null)[])[]; } {
   const at = series.map(({ samples }) => samples.from(since));
   const times: number[] = [];
   const columns: (number | null)[][] = series.map(() => []);

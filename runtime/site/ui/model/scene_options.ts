@@ -7,8 +7,8 @@ import type { Looks } from './display_look.ts';
 import { flagMember, member, numberMember, textMember, textsMember } from './json.ts';
 import type { Json } from './json.ts';
 
-export const kImageSizes = ['small', 'medium', 'large'] as const;
-export type ImageSize = (typeof kImageSizes)[number];
+export const IMAGE_SIZES = ['small', 'medium', 'large'] as const;
+export type ImageSize = (typeof IMAGE_SIZES)[number];
 
 /** A picture over the scene. */
 export interface ImageOverlay {
@@ -51,15 +51,15 @@ export interface SceneOptions {
   readonly background: string;
 }
 
-export const kMostKept = 1000;
+export const MOST_KEPT = 1000;
 /** As RViz. */
-const kUsuallyKept = 100;
+const USUALLY_KEPT = 100;
 
-const kMostTopics = 100;
-export const kMostImages = 6;
+const MOST_TOPICS = 100;
+export const MOST_IMAGES = 6;
 /** As RViz: half a metre, and 15 degrees, which it keeps as a float32. */
-const kUsualVariance: PoseVariance = { x: 0.25, y: 0.25, yaw: Math.fround((Math.PI / 12) ** 2) };
-const kMostVariance = 1e6;
+const USUAL_VARIANCE: PoseVariance = { x: 0.25, y: 0.25, yaw: Math.fround((Math.PI / 12) ** 2) };
+const MOST_VARIANCE = 1e6;
 
 export function readOptions(state: Json): SceneOptions {
   const background = textMember(state, 'background');
@@ -70,7 +70,7 @@ export function readOptions(state: Json): SceneOptions {
     frames: flagMember(state, 'frames', true),
     names: flagMember(state, 'names', true),
     list: flagMember(state, 'list', true),
-    topics: member(state, 'topics') === undefined ? null : textsMember(state, 'topics', kMostTopics),
+    topics: member(state, 'topics') === undefined ? null : textsMember(state, 'topics', MOST_TOPICS),
     goal: textMember(state, 'goal', '/goal_pose'),
     estimate: textMember(state, 'estimate', '/initialpose'),
     variance: readVariance(member(state, 'variance')),
@@ -78,29 +78,29 @@ export function readOptions(state: Json): SceneOptions {
     follow: textMember(state, 'follow'),
     looks: readLooks(member(state, 'looks')),
     images: readImages(member(state, 'images')),
-    keep: Math.round(numberMember(state, 'keep', 1, kMostKept, kUsuallyKept)),
+    keep: Math.round(numberMember(state, 'keep', 1, MOST_KEPT, USUALLY_KEPT)),
     background: isColor(background) ? background : '',
   };
 }
 
 export function readVariance(value: unknown): PoseVariance {
-  const at = (name: 'x' | 'y' | 'yaw'): number => numberMember(value, name, 0, kMostVariance, kUsualVariance[name]);
+  const at = (name: 'x' | 'y' | 'yaw'): number => numberMember(value, name, 0, MOST_VARIANCE, USUAL_VARIANCE[name]);
   return { x: at('x'), y: at('y'), yaw: at('yaw') };
 }
 
 export function readImages(value: unknown): readonly ImageOverlay[] {
   if (!Array.isArray(value)) return [];
   return value
-    .slice(0, kMostImages)
+    .slice(0, MOST_IMAGES)
     .map((one: unknown) => ({
       topic: textMember(one, 'topic'),
-      size: kImageSizes.find((size) => size === member(one, 'size')) ?? 'small',
+      size: IMAGE_SIZES.find((size) => size === member(one, 'size')) ?? 'small',
     }))
     .filter(({ topic }) => topic !== '');
 }
 
 export function writeOptions({ view, topics, looks, variance, images, follow, background, ...plain }: SceneOptions): Json {
-  const isUsual = variance.x === kUsualVariance.x && variance.y === kUsualVariance.y && variance.yaw === kUsualVariance.yaw;
+  const isUsual = variance.x === USUAL_VARIANCE.x && variance.y === USUAL_VARIANCE.y && variance.yaw === USUAL_VARIANCE.yaw;
   return {
     ...plain,
     view: writeView(view),

@@ -17,7 +17,7 @@ export interface ShellStep {
   readonly background?: true;
 }
 
-const kWhen: Readonly<Record<string, ShellStep['when']>> = { ';': 'always', '&&': 'succeeded', '||': 'failed' };
+const WHEN: Readonly<Record<string, ShellStep['when']>> = { ';': 'always', '&&': 'succeeded', '||': 'failed' };
 
 /** Pieces with what stands before each: `;` `&&` `||` `|`, outside of quotes. */
 function pieces(line: string): readonly (readonly [joint: string, text: string])[] {
@@ -49,10 +49,10 @@ function pieces(line: string): readonly (readonly [joint: string, text: string])
 type Redirected = Pick<ShellStep, 'words' | 'target' | 'append' | 'background'>;
 
 /** Errors stand in the terminal as they do. */
-const kErrorsElsewhere = /^2>(?:&1|\/dev\/null)$/;
+const ERRORS_ELSEWHERE = /^2>(?:&1|\/dev\/null)$/;
 
 function redirected(all: readonly string[]): Redirected {
-  const words = all.filter((word) => !kErrorsElsewhere.test(word));
+  const words = all.filter((word) => !ERRORS_ELSEWHERE.test(word));
   const last = words.at(-1);
   if (last === undefined) return { words };
   if (last === '&') return { ...redirected(words.slice(0, -1)), background: true };
@@ -72,7 +72,7 @@ export function shellSteps(line: string, valueOf?: (name: string) => string): re
     const { words, ...rest } = redirected(split);
     const before = steps.at(-1);
     if (joint === '|' && before !== undefined) steps[steps.length - 1] = { ...before, ...rest, filters: [...before.filters, words] };
-    else steps.push({ when: kWhen[joint] ?? 'always', words, filters: [], ...rest });
+    else steps.push({ when: WHEN[joint] ?? 'always', words, filters: [], ...rest });
   }
   // Nothing stands behind the last ; and in an empty line.
   return steps.filter(({ words, filters, when }) => words.length > 0 || filters.length > 0 || when !== 'always');

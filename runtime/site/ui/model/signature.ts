@@ -7,11 +7,11 @@ export interface ClaimedSignature {
   readonly comment: string;
 }
 
-const kMostLetters = 16_384;
+const MOST_LETTERS = 16_384;
 
 /** Null for what is no such signature. */
 export function claimedSignature(text: string): ClaimedSignature | null {
-  if (text.length > kMostLetters) return null;
+  if (text.length > MOST_LETTERS) return null;
   const [untrusted = '', first = '', trusted = ''] = text.split(/\r?\n/);
   const comment = /^trusted comment: ([^\p{Cc}]*)$/u.exec(trusted)?.[1];
   if (!untrusted.startsWith('untrusted comment: ') || comment === undefined || !/^[A-Za-z0-9+/]{99}=$/.test(first)) return null;

@@ -7,9 +7,9 @@ import { readTransform } from './transform.ts';
 import type { Transform } from './transform.ts';
 import { TransformTree } from './transform_tree.ts';
 
-export const kWorldFrame = 'world';
-const kBetween = '::';
-const kMostTransforms = 20_000;
+export const WORLD_FRAME = 'world';
+const BETWEEN = '::';
+const MOST_TRANSFORMS = 20_000;
 
 export interface ModelEntity {
   readonly name: string;
@@ -55,9 +55,9 @@ export class SimWorld {
   take(message: unknown): 'models' | 'moved' | 'same' {
     const list = member(message, 'transforms');
     if (!Array.isArray(list)) return 'same';
-    const all = (list.slice(0, kMostTransforms) as readonly unknown[]).map(readOne).filter((one) => one !== null);
-    const isWhole = all[0]?.child === kWorldFrame;
-    const links = all.filter(({ parent }) => parent === kWorldFrame);
+    const all = (list.slice(0, MOST_TRANSFORMS) as readonly unknown[]).map(readOne).filter((one) => one !== null);
+    const isWhole = all[0]?.child === WORLD_FRAME;
+    const links = all.filter(({ parent }) => parent === WORLD_FRAME);
     const isOther = isWhole && (links.length !== this.known.size || links.some(({ child }) => !this.known.has(child)));
     if (isOther) {
       this.tree.clear();
@@ -67,7 +67,7 @@ export class SimWorld {
     let moved = false;
     for (const { parent, child, transform } of all) {
       if (parent === '') continue;
-      if (parent === kWorldFrame) this.known.set(child, transform);
+      if (parent === WORLD_FRAME) this.known.set(child, transform);
       else this.inner.add(child);
       moved = this.tree.add(parent, child, transform, 0, true) || moved;
     }
@@ -80,17 +80,17 @@ export class SimWorld {
    * undefined: the world has none of that name.
    */
   frameOf(name: string): string | undefined {
-    const asked = (name.startsWith('/') ? name.slice(1) : name).replaceAll('/', kBetween);
+    const asked = (name.startsWith('/') ? name.slice(1) : name).replaceAll('/', BETWEEN);
     if (asked === '') return undefined;
     if (this.known.has(asked) || this.inner.has(asked)) return asked;
-    const ending = `${kBetween}${asked.split(kBetween).at(-1) ?? ''}`;
+    const ending = `${BETWEEN}${asked.split(BETWEEN).at(-1) ?? ''}`;
     for (const frames of [this.known.keys(), this.inner])
       for (const frame of frames) if (frame.endsWith(ending)) return frame;
     return undefined;
   }
 }
 
-function readOne(item: unknown): { readonly parent: string; readonly child: string; readonly transform: Transform } | null {
+function readOne(item: unknown): { readonly parent: string; readonly child: string; readonly transform: Transform; } | null {
   const transform = readTransform(member(item, 'transform'));
   const child = textMember(item, 'child_frame_id');
   return transform === null || child === '' ? null : { parent: textMember(member(item, 'header'), 'frame_id'), child, transform };
@@ -109,14 +109,14 @@ function modelsOf(frames: Iterable<string>): readonly ModelEntity[] {
 
 /** The model of a link's frame. */
 export function modelOf(frame: string): string {
-  const end = frame.indexOf(kBetween);
+  const end = frame.indexOf(BETWEEN);
   return end < 0 ? frame : frame.slice(0, end);
 }
 
 /** The link's name in its model. */
 export function linkOf(frame: string): string {
-  const end = frame.indexOf(kBetween);
-  return end < 0 ? '' : frame.slice(end + kBetween.length);
+  const end = frame.indexOf(BETWEEN);
+  return end < 0 ? '' : frame.slice(end + BETWEEN.length);
 }
 
 export interface SimPace {

@@ -7,8 +7,8 @@ import type { Json } from './json.ts';
 import { readImages } from './scene_options.ts';
 import type { ImageOverlay } from './scene_options.ts';
 
-export const kSimFlags = ['shadows', 'grid', 'collisions', 'contacts', 'rays', 'frames', 'names'] as const;
-export type SimFlag = (typeof kSimFlags)[number];
+export const SIM_FLAGS = ['shadows', 'grid', 'collisions', 'contacts', 'rays', 'frames', 'names'] as const;
+export type SimFlag = (typeof SIM_FLAGS)[number];
 
 export interface SimulationOptions {
   readonly view: CameraView;
@@ -20,17 +20,28 @@ export interface SimulationOptions {
   readonly images: readonly ImageOverlay[];
 }
 
-const kUsually: Readonly<Record<SimFlag, boolean>> = {
-  shadows: true, grid: true, collisions: false, contacts: false, rays: false, frames: false, names: false,
+const USUALLY: Readonly<Record<SimFlag, boolean>> = {
+  shadows: true,
+  grid: true,
+  collisions: false,
+  contacts: false,
+  rays: false,
+  frames: false,
+  names: false,
 };
 
 export function readSimulation(state: Json): SimulationOptions {
-  const flag = (name: SimFlag): boolean => flagMember(state, name, kUsually[name]);
+  const flag = (name: SimFlag): boolean => flagMember(state, name, USUALLY[name]);
   return {
     view: readView(member(state, 'view')),
     flags: {
-      shadows: flag('shadows'), grid: flag('grid'), collisions: flag('collisions'),
-      contacts: flag('contacts'), rays: flag('rays'), frames: flag('frames'), names: flag('names'),
+      shadows: flag('shadows'),
+      grid: flag('grid'),
+      collisions: flag('collisions'),
+      contacts: flag('contacts'),
+      rays: flag('rays'),
+      frames: flag('frames'),
+      names: flag('names'),
     },
     list: flagMember(state, 'list', true),
     follow: textMember(state, 'follow'),
@@ -42,7 +53,7 @@ export function writeSimulation({ view, flags, list, follow, images }: Simulatio
   return {
     view: writeView(view),
     list,
-    ...Object.fromEntries(kSimFlags.filter((name) => flags[name] !== kUsually[name]).map((name) => [name, flags[name]])),
+    ...Object.fromEntries(SIM_FLAGS.filter((name) => flags[name] !== USUALLY[name]).map((name) => [name, flags[name]])),
     ...(follow === '' ? {} : { follow }),
     ...(images.length === 0 ? {} : { images: images.map((one) => ({ ...one })) }),
   };

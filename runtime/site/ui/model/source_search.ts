@@ -21,9 +21,9 @@ export interface SourceHits {
   readonly more: boolean;
 }
 
-const kMostHits = 200;
-const kMostBefore = 40;
-const kMostAfter = 120;
+const MOST_HITS = 200;
+const MOST_BEFORE = 40;
+const MOST_AFTER = 120;
 
 /** One hit a line, in the order of the files. Capital letters count when there are some in `wanted`. */
 export function searchSources(files: readonly SearchedFile[], wanted: string): SourceHits {
@@ -38,7 +38,7 @@ export function searchSources(files: readonly SearchedFile[], wanted: string): S
       const at = lower.indexOf(wanted);
       // Few letters have another length when they are small: then the place is told of the whole line.
       if (at === -1) continue;
-      if (hits.length >= kMostHits) return { hits, more: true };
+      if (hits.length >= MOST_HITS) return { hits, more: true };
       const same = lower.length === words.length;
       const begin = same ? at : 0;
       const end = same ? at + wanted.length : 0;
@@ -46,9 +46,9 @@ export function searchSources(files: readonly SearchedFile[], wanted: string): S
       hits.push({
         file,
         line,
-        before: lead.length > kMostBefore ? `\u2026${lead.slice(-kMostBefore)}` : lead,
+        before: lead.length > MOST_BEFORE ? `\u2026${lead.slice(-MOST_BEFORE)}` : lead,
         found: words.slice(begin, end),
-        after: words.length - end > kMostAfter ? `${words.slice(end, end + kMostAfter)}\u2026` : words.slice(end),
+        after: words.length - end > MOST_AFTER ? `${words.slice(end, end + MOST_AFTER)}\u2026` : words.slice(end),
       });
     }
   }

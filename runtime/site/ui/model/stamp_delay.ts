@@ -5,7 +5,7 @@ import { isMessage } from '../../decode/yaml.ts';
 import type { Decoded } from '../../decode/decoder.ts';
 import { asNumber } from './field_path.ts';
 
-const kMost = 100;
+const MOST = 100;
 
 /** All in ms. */
 export interface StampDelay {
@@ -32,7 +32,7 @@ export class DelayWindow {
   add(delay: number | undefined): void {
     if (delay === undefined) return;
     this.delays.push(delay);
-    if (this.delays.length > kMost) this.delays.shift();
+    if (this.delays.length > MOST) this.delays.shift();
   }
 
   /** undefined: nothing has one. */

@@ -1,6 +1,6 @@
 // The changes of one value that is a text: what it was from when to when. Times are seconds. Pure.
 
-import { kApart } from './samples.ts';
+import { APART } from './samples.ts';
 
 export interface StateSpan {
   readonly from: number;
@@ -10,27 +10,27 @@ export interface StateSpan {
   readonly color: number;
 }
 
-const kMostChanges = 5_000;
+const MOST_CHANGES = 5_000;
 /** No more than this is drawn in one row. */
-const kMostSpans = 400;
-const kColors = 8;
+const MOST_SPANS = 400;
+const COLORS = 8;
 
 export class StateTrack {
-  private changes: { readonly time: number; readonly text: string }[] = [];
+  private changes: { readonly time: number; readonly text: string; }[] = [];
   private readonly colors = new Map<string, number>();
   private newest = Number.NEGATIVE_INFINITY;
 
   add(published: number, text: string): void {
-    const isAnew = this.newest - published > kApart;
+    const isAnew = this.newest - published > APART;
     if (isAnew) this.changes = [];
     const time = isAnew ? published : Math.max(published, this.newest);
     this.newest = time;
     if (this.last === text && this.changes.length > 0) return;
-    if (this.changes.length === kMostChanges) this.changes.splice(0, kMostChanges / 2);
+    if (this.changes.length === MOST_CHANGES) this.changes.splice(0, MOST_CHANGES / 2);
     this.changes.push({ time, text });
     if (!this.colors.has(text)) {
       if (this.colors.size > 1000) this.colors.clear();
-      this.colors.set(text, (this.colors.size % kColors) + 1);
+      this.colors.set(text, (this.colors.size % COLORS) + 1);
     }
   }
 
@@ -43,7 +43,7 @@ export class StateTrack {
   spans(least: number, most: number): readonly StateSpan[] {
     const found: StateSpan[] = [];
     let to = most;
-    for (let i = this.changes.length - 1; i >= 0 && to > least && found.length < kMostSpans; i -= 1) {
+    for (let i = this.changes.length - 1; i >= 0 && to > least && found.length < MOST_SPANS; i -= 1) {
       const change = this.changes[i];
       if (change === undefined || change.time > most) continue;
       const from = Math.max(least, change.time);

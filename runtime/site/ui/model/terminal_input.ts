@@ -9,12 +9,12 @@ export interface Offered {
 }
 
 export type Completed =
-  | { readonly kind: 'line'; readonly line: string }
-  | { readonly kind: 'choices'; readonly choices: readonly string[] }
-  | { readonly kind: 'nothing' };
+  | { readonly kind: 'line'; readonly line: string; }
+  | { readonly kind: 'choices'; readonly choices: readonly string[]; }
+  | { readonly kind: 'nothing'; };
 
-const kTab = 8;
-const kLongestLine = 4096;
+const TAB = 8;
+const LONGEST_LINE = 4096;
 
 export function completeInput(line: string, { word, start, choices }: Offered): Completed {
   const [first] = choices;
@@ -30,7 +30,7 @@ export function completeInput(line: string, { word, start, choices }: Offered): 
 export function expandTabs(text: string): string {
   if (!text.includes('\t')) return text;
   let out = '';
-  for (const c of text) out += c === '\t' ? ' '.repeat(kTab - (out.length % kTab)) : c;
+  for (const c of text) out += c === '\t' ? ' '.repeat(TAB - (out.length % TAB)) : c;
   return out;
 }
 
@@ -40,7 +40,7 @@ export function readHistory(kept: string | null, most: number): string[] {
   try {
     return textsMember({ lines: JSON.parse(kept) as unknown }, 'lines', Number.MAX_SAFE_INTEGER)
       .slice(-most)
-      .map((line) => line.slice(0, kLongestLine).replace(/\p{Cc}/gu, ' '));
+      .map((line) => line.slice(0, LONGEST_LINE).replace(/\p{Cc}/gu, ' '));
   } catch {
     return [];
   }

@@ -44,7 +44,7 @@ export function misfitsOf(ends: readonly TopicEnd[]): readonly Misfit[] {
     subscriptions.flatMap((subscription) => {
       const policy = misfit(publisher, subscription);
       return policy === undefined ? [] : [{ publisher, subscription, policy }];
-    }),
+    })
   );
 }
 

@@ -1,7 +1,7 @@
 // The place in a line of a Python traceback: `  File "/ros/lib/.../talker.py", line 12, in main`. Nodes have the
 // installation in /ros. Pure.
 
-const kMostLength = 1_000;
+const MOST_LENGTH = 1_000;
 
 export interface TracebackPlace {
   /** In the installation. */
@@ -15,7 +15,7 @@ export interface TracebackPlace {
 
 /** null for a line that names none. */
 export function tracebackPlace(text: string): TracebackPlace | null {
-  if (text.length > kMostLength || !text.includes('File "/ros/')) return null;
+  if (text.length > MOST_LENGTH || !text.includes('File "/ros/')) return null;
   const found = /File "\/ros\/([^"]+)", line (\d{1,7})/.exec(text);
   const [whole, path, line] = found ?? [];
   if (found === null || whole === undefined || path === undefined || line === undefined) return null;

@@ -12,7 +12,7 @@ export interface Transform {
   readonly rotation: Quaternion;
 }
 
-export const kIdentity: Transform = { translation: [0, 0, 0], rotation: [0, 0, 0, 1] };
+export const IDENTITY: Transform = { translation: [0, 0, 0], rotation: [0, 0, 0, 1] };
 
 /** First `inner`, then `outer`: from inner's child to outer's parent. */
 export function compose(outer: Transform, inner: Transform): Transform {
@@ -38,7 +38,7 @@ export function multiply(a: Quaternion, b: Quaternion): Quaternion {
       aw * by - ax * bz + ay * bw + az * bx,
       aw * bz + ax * by - ay * bx + az * bw,
       aw * bw - ax * bx - ay * by - az * bz,
-    ) ?? kIdentity.rotation
+    ) ?? IDENTITY.rotation
   );
 }
 
@@ -136,7 +136,7 @@ export function readTransform(value: unknown): Transform | null {
 /** A geometry_msgs/msg/Pose. One of zeros is upright, as RViz shows it. */
 export function readPose(value: unknown): Transform | null {
   const translation = readVector(member(value, 'position'));
-  const rotation = readQuaternion(member(value, 'orientation'), kIdentity.rotation);
+  const rotation = readQuaternion(member(value, 'orientation'), IDENTITY.rotation);
   return translation === null || rotation === null ? null : { translation, rotation };
 }
 

@@ -2,16 +2,14 @@
 // frame is in another. Everything in it may be hostile: loops, names without end, numbers that are none.
 
 import { member } from './json.ts';
-import {
-  between, compose, frameName, inverse, kIdentity, readHeader, readTransform, type Transform,
-} from './transform.ts';
+import { between, compose, frameName, inverse, IDENTITY, readHeader, readTransform, type Transform } from './transform.ts';
 
 /** As much of a frame's past as tf2 keeps. */
-const kKeptSeconds = 10;
-const kMostStamps = 1000;
-const kMostFrames = 5000;
-const kMostNameLength = 256;
-const kMostTransforms = 10_000;
+const KEPT_SECONDS = 10;
+const MOST_STAMPS = 1000;
+const MOST_FRAMES = 5000;
+const MOST_NAME_LENGTH = 256;
+const MOST_TRANSFORMS = 10_000;
 
 export interface FrameView {
   readonly name: string;
@@ -28,13 +26,13 @@ export interface FrameView {
 }
 
 export type Lookup =
-  | { readonly kind: 'found'; readonly transform: Transform }
+  | { readonly kind: 'found'; readonly transform: Transform; }
   /** Nobody has spoken of that frame. */
-  | { readonly kind: 'unknown'; readonly frame: string }
+  | { readonly kind: 'unknown'; readonly frame: string; }
   /** Its parents lead back to itself. */
-  | { readonly kind: 'loop'; readonly frame: string }
+  | { readonly kind: 'loop'; readonly frame: string; }
   /** The two belong to different trees; these are their roots. */
-  | { readonly kind: 'apart'; readonly roots: readonly [string, string] };
+  | { readonly kind: 'apart'; readonly roots: readonly [string, string]; };
 
 interface Frame {
   readonly name: string;
@@ -67,7 +65,7 @@ export class TransformTree {
     const list = member(message, 'transforms');
     if (!Array.isArray(list)) return false;
     let moved = false;
-    for (const item of list.slice(0, kMostTransforms) as readonly unknown[]) {
+    for (const item of list.slice(0, MOST_TRANSFORMS) as readonly unknown[]) {
       const { frame, stamp } = readHeader(item);
       const child = member(item, 'child_frame_id');
       const transform = readTransform(member(item, 'transform'));
@@ -79,11 +77,10 @@ export class TransformTree {
 
   /** Tells whether the frame is elsewhere now. `stamp`: seconds. */
   add(parent: string, child: string, transform: Transform, stamp: number, isStatic: boolean): boolean {
-    const wrong =
-      parent === '' || child === '' || parent === child ||
-      parent.length > kMostNameLength || child.length > kMostNameLength || !Number.isFinite(stamp);
+    const wrong = parent === '' || child === '' || parent === child
+      || parent.length > MOST_NAME_LENGTH || child.length > MOST_NAME_LENGTH || !Number.isFinite(stamp);
     const known = this.frames.get(child);
-    if (wrong || (known === undefined && this.frames.size >= kMostFrames)) {
+    if (wrong || (known === undefined && this.frames.size >= MOST_FRAMES)) {
       this.refusedCount += 1;
       return false;
     }
@@ -101,10 +98,10 @@ export class TransformTree {
       this.count(parent, 1);
       known.parent = parent;
       begin(known, stamp, transform);
-    } else if (isStatic || known.isStatic || stamp < last - kKeptSeconds) {
+    } else if (isStatic || known.isStatic || stamp < last - KEPT_SECONDS) {
       // The last case is a clock that was set back: what it told before is of another time.
       begin(known, stamp, transform);
-      if (!isStatic && stamp < last - kKeptSeconds) this.newestStamp = stamp;
+      if (!isStatic && stamp < last - KEPT_SECONDS) this.newestStamp = stamp;
     } else {
       insert(known, stamp, transform);
     }
@@ -128,7 +125,7 @@ export class TransformTree {
     const views = [...this.frames.values()].map(viewOf);
     for (const name of this.parents.keys())
       if (!this.frames.has(name))
-        views.push({ name, parent: null, isStatic: true, newest: NaN, oldest: NaN, count: 0, transform: kIdentity });
+        views.push({ name, parent: null, isStatic: true, newest: NaN, oldest: NaN, count: 0, transform: IDENTITY });
     return views.sort((a, b) => (a.name < b.name ? -1 : 1));
   }
 
@@ -198,10 +195,10 @@ export class TransformTree {
   private toRoot(
     name: string,
     stamp: number,
-  ): Exclude<Lookup, { kind: 'found' | 'apart' }> | { readonly kind: 'chain'; readonly root: string; readonly transform: Transform } {
+  ): Exclude<Lookup, { kind: 'found' | 'apart'; }> | { readonly kind: 'chain'; readonly root: string; readonly transform: Transform; } {
     if (!this.has(name)) return { kind: 'unknown', frame: name };
     const seen = new Set<string>();
-    let transform = kIdentity;
+    let transform = IDENTITY;
     let root = name;
     for (let frame = this.frames.get(root); frame !== undefined; frame = this.frames.get(root)) {
       if (seen.has(root)) return { kind: 'loop', frame: name };
@@ -227,7 +224,7 @@ function viewOf({ name, parent, isStatic, stamps, transforms }: Frame): FrameVie
     newest: stamps.at(-1) ?? NaN,
     oldest: stamps[0] ?? NaN,
     count: stamps.length,
-    transform: transforms.at(-1) ?? kIdentity,
+    transform: transforms.at(-1) ?? IDENTITY,
   };
 }
 
@@ -244,10 +241,10 @@ function insert({ stamps, transforms }: Frame, stamp: number, transform: Transfo
   stamps.splice(isSame ? place - 1 : place, isSame ? 1 : 0, stamp);
   transforms.splice(isSame ? place - 1 : place, isSame ? 1 : 0, transform);
   const newest = stamps.at(-1) ?? stamp;
-  let old = Math.max(0, stamps.length - kMostStamps);
-  while ((stamps[old] ?? newest) < newest - kKeptSeconds) old += 1;
+  let old = Math.max(0, stamps.length - MOST_STAMPS);
+  while ((stamps[old] ?? newest) < newest - KEPT_SECONDS) old += 1;
   // Now and then rather than each time: a list is moved when its front goes.
-  if (old > 64 || stamps.length > kMostStamps + 64) {
+  if (old > 64 || stamps.length > MOST_STAMPS + 64) {
     stamps.splice(0, old);
     transforms.splice(0, old);
   }
@@ -255,7 +252,7 @@ function insert({ stamps, transforms }: Frame, stamp: number, transform: Transfo
 
 function at({ stamps, transforms }: Frame, stamp: number): Transform {
   const last = stamps.length - 1;
-  const newest = transforms[last] ?? kIdentity;
+  const newest = transforms[last] ?? IDENTITY;
   if (Number.isNaN(stamp) || stamp >= (stamps[last] ?? 0)) return newest;
   let [low, high] = [0, last];
   while (low < high) {
@@ -271,7 +268,7 @@ function at({ stamps, transforms }: Frame, stamp: number): Transform {
 
 function equal(a: Transform, b: Transform): boolean {
   return (
-    a.translation.every((part, index) => part === b.translation[index]) &&
-    a.rotation.every((part, index) => part === b.rotation[index])
+    a.translation.every((part, index) => part === b.translation[index])
+    && a.rotation.every((part, index) => part === b.rotation[index])
   );
 }

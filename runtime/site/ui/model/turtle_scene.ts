@@ -52,11 +52,11 @@ export interface Picture {
   readonly rgba: Uint8ClampedArray<ArrayBuffer>;
 }
 
-const kMostPixels = 2000;
-const kMostTurtles = 500;
+const MOST_PIXELS = 2000;
+const MOST_TURTLES = 500;
 /** Upper bound for one scene, and for those that wait for the picture: the newest ones stay. The picture has the others. */
-const kMostStrokes = 10_000;
-const kFar = 1e5;
+const MOST_STROKES = 10_000;
+const FAR = 1e5;
 
 /** null when it shows no sheet. */
 export function readScene(value: unknown): Scene | null {
@@ -64,15 +64,15 @@ export function readScene(value: unknown): Scene | null {
   const width = size(value['width']);
   const height = size(value['height']);
   const meter = asNumber(value['meter']);
-  if (width === 0 || height === 0 || !(meter >= 1 && meter <= kMostPixels)) return null;
+  if (width === 0 || height === 0 || !(meter >= 1 && meter <= MOST_PIXELS)) return null;
   const strokes = list(value['strokes']);
-  const dropped = Math.max(0, strokes.length - kMostStrokes);
+  const dropped = Math.max(0, strokes.length - MOST_STROKES);
   return {
     width,
     height,
     meter,
     background: color(list(value['background'])),
-    turtles: list(value['turtles']).slice(0, kMostTurtles).flatMap(readTurtle),
+    turtles: list(value['turtles']).slice(0, MOST_TURTLES).flatMap(readTurtle),
     picture: asNumber(value['picture']),
     first: asNumber(value['first']) + dropped,
     strokes: strokes.slice(dropped).map(readStroke),
@@ -157,7 +157,7 @@ export class Sheet {
   private keep(scene: Scene): void {
     if (scene.strokes.length > 0) this.late.push(scene);
     let count = this.late.reduce((sum, { strokes }) => sum + strokes.length, 0);
-    while (count > kMostStrokes) count -= this.late.shift()?.strokes.length ?? count;
+    while (count > MOST_STROKES) count -= this.late.shift()?.strokes.length ?? count;
   }
 
   private append(scene: Scene): readonly Stroke[] {
@@ -173,7 +173,7 @@ function readTurtle(value: unknown): readonly SceneTurtle[] {
   const name = value['name'];
   const [x, y, theta] = [value['x'], value['y'], value['theta']].map(asNumber);
   if (typeof name !== 'string' || x === undefined || y === undefined || theta === undefined) return [];
-  if (!(Math.abs(x) < kFar && Math.abs(y) < kFar && Number.isFinite(theta))) return [];
+  if (!(Math.abs(x) < FAR && Math.abs(y) < FAR && Number.isFinite(theta))) return [];
   return [{ name: name.slice(0, 80), x, y, theta, shape: asNumber(value['shape']) }];
 }
 
@@ -196,7 +196,7 @@ function color(channels: readonly unknown[]): string {
 
 function size(value: unknown): number {
   const number = asNumber(value);
-  return number >= 1 && number <= kMostPixels ? Math.floor(number) : 0;
+  return number >= 1 && number <= MOST_PIXELS ? Math.floor(number) : 0;
 }
 
 function list(value: unknown): readonly unknown[] {

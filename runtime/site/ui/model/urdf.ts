@@ -2,16 +2,16 @@
 // for seeing and those for collisions, where they are in it and their colours.
 // The text may be anything. Joints are read by model/joints.ts; where links are is told by /tf.
 
-import { fromRollPitchYaw, kIdentity } from './transform.ts';
+import { fromRollPitchYaw, IDENTITY } from './transform.ts';
 import type { Transform, Vector } from './transform.ts';
 import { readXml } from './xml.ts';
 import type { XmlElement } from './xml.ts';
 
 export type LinkShape =
-  | { readonly kind: 'box'; readonly size: Vector }
-  | { readonly kind: 'cylinder'; readonly radius: number; readonly length: number }
-  | { readonly kind: 'sphere'; readonly radius: number }
-  | { readonly kind: 'mesh'; readonly file: string; readonly scale: Vector };
+  | { readonly kind: 'box'; readonly size: Vector; }
+  | { readonly kind: 'cylinder'; readonly radius: number; readonly length: number; }
+  | { readonly kind: 'sphere'; readonly radius: number; }
+  | { readonly kind: 'mesh'; readonly file: string; readonly scale: Vector; };
 
 export type Rgba = readonly [red: number, green: number, blue: number, alpha: number];
 
@@ -36,15 +36,15 @@ export interface Robot {
   readonly leftOut: number;
 }
 
-const kMostCharacters = 1 << 24;
-const kMostLinks = 2000;
-const kMostVisuals = 5000;
-const kLargest = 1e6;
+const MOST_CHARACTERS = 1 << 24;
+const MOST_LINKS = 2000;
+const MOST_VISUALS = 5000;
+const LARGEST = 1e6;
 
 export type UrdfFault = 'too-long' | 'no-xml' | 'no-robot';
 
 export function readUrdf(text: string): Robot | UrdfFault {
-  if (text.length > kMostCharacters) return 'too-long';
+  if (text.length > MOST_CHARACTERS) return 'too-long';
   const robot = readXml(text);
   if (robot === null) return 'no-xml';
   if (robot.name !== 'robot') return 'no-robot';
@@ -55,11 +55,11 @@ export function readUrdf(text: string): Robot | UrdfFault {
   }
   let count = 0;
   let leftOut = 0;
-  const links = childrenOf(robot, 'link').slice(0, kMostLinks).map((link): RobotLink => {
+  const links = childrenOf(robot, 'link').slice(0, MOST_LINKS).map((link): RobotLink => {
     const shapes = (name: string): readonly Visual[] => {
       const found: Visual[] = [];
       for (const element of childrenOf(link, name)) {
-        const visual = count < kMostVisuals ? visualOf(element, colors) : null;
+        const visual = count < MOST_VISUALS ? visualOf(element, colors) : null;
         if (visual === null) leftOut += 1;
         else found.push(visual);
         count += 1;
@@ -75,7 +75,7 @@ function visualOf(visual: XmlElement, colors: ReadonlyMap<string, Rgba>): Visual
   const [geometry] = childrenOf(visual, 'geometry');
   const shape = geometry === undefined ? null : shapeOf(geometry);
   const [origin] = childrenOf(visual, 'origin');
-  const place = origin === undefined ? kIdentity : originOf(origin);
+  const place = origin === undefined ? IDENTITY : originOf(origin);
   if (shape === null || place === null) return null;
   const [material] = childrenOf(visual, 'material');
   const color = material === undefined ? null : (colorOf(material) ?? colors.get(material.attributes.get('name') ?? '') ?? null);
@@ -113,7 +113,7 @@ function shapeOf(geometry: XmlElement): LinkShape | null {
 function originOf(origin: XmlElement): Transform | null {
   const [x = NaN, y = NaN, z = NaN] = numbersOf(origin, 'xyz', 3) ?? [0, 0, 0];
   const [roll = NaN, pitch = NaN, yaw = NaN] = numbersOf(origin, 'rpy', 3) ?? [0, 0, 0];
-  const isSound = [x, y, z, roll, pitch, yaw].every((value) => Math.abs(value) < kLargest);
+  const isSound = [x, y, z, roll, pitch, yaw].every((value) => Math.abs(value) < LARGEST);
   return isSound ? { translation: [x, y, z], rotation: fromRollPitchYaw(roll, pitch, yaw) } : null;
 }
 
@@ -132,7 +132,7 @@ function numbersOf(element: XmlElement, name: string, count: number): readonly n
 }
 
 function isLength(value: number): boolean {
-  return value > 0 && value < kLargest;
+  return value > 0 && value < LARGEST;
 }
 
 function childrenOf(element: XmlElement, name: string): readonly XmlElement[] {

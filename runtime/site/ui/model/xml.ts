@@ -8,12 +8,12 @@ export interface XmlElement {
   readonly children: readonly XmlElement[];
 }
 
-const kDeepest = 200;
-const kMostElements = 200_000;
+const DEEPEST = 200;
+const MOST_ELEMENTS = 200_000;
 
 interface Open {
   readonly tag: string;
-  readonly element: XmlElement & { readonly children: XmlElement[] };
+  readonly element: XmlElement & { readonly children: XmlElement[]; };
 }
 
 /** The root; null: it is not an XML, or too large. */
@@ -36,7 +36,7 @@ export function readXml(text: string): XmlElement | null {
     }
     const start = readTag(text, at);
     count += 1;
-    if (start === null || count > kMostElements || open.length >= kDeepest) return null;
+    if (start === null || count > MOST_ELEMENTS || open.length >= DEEPEST) return null;
     const element = { name: start.tag.slice(start.tag.indexOf(':') + 1), attributes: start.attributes, children: [] };
     const parent = open.at(-1);
     if (parent !== undefined) parent.element.children.push(element);
@@ -86,12 +86,12 @@ function matchAt(pattern: RegExp, text: string, at: number): RegExpExecArray | n
   return pattern.exec(text);
 }
 
-const kEntities: ReadonlyMap<string, string> = new Map([['lt', '<'], ['gt', '>'], ['amp', '&'], ['quot', '"'], ['apos', "'"]]);
+const ENTITIES: ReadonlyMap<string, string> = new Map([['lt', '<'], ['gt', '>'], ['amp', '&'], ['quot', '"'], ['apos', "'"]]);
 
 /** An entity that nobody knows stays as it is written. */
 function decoded(value: string): string {
   return value.replace(/&(?:#x([0-9a-fA-F]{1,6})|#(\d{1,7})|([a-z]{2,4}));/g, (whole, hex?: string, decimal?: string, name?: string) => {
-    if (name !== undefined) return kEntities.get(name) ?? whole;
+    if (name !== undefined) return ENTITIES.get(name) ?? whole;
     const code = hex === undefined ? Number(decimal) : parseInt(hex, 16);
     return code > 0 && code <= 0x10ffff ? String.fromCodePoint(code) : whole;
   });

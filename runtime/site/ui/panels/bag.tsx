@@ -5,7 +5,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { recordsAll } from '../../bag/recorder.ts';
 import { flagMember, member, numberMember, textMember, textsMember } from '../model/json.ts';
 import { formatBytes, formatCount, formatDuration } from '../model/quantities.ts';
-import { BagPlayerView, kRates } from '../parts/bag_player_view.tsx';
+import { BagPlayerView, RATES } from '../parts/bag_player_view.tsx';
 import { type BagDesk, bagDesk, type ShelfBag } from '../parts/bag_desk.ts';
 import { IconButton } from '../parts/button.tsx';
 import { download } from '../parts/download.ts';
@@ -19,7 +19,7 @@ import { texts } from '../texts.ts';
 import { bagTexts as words } from '../texts_bag.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostChosen = 200;
+const MOST_CHOSEN = 200;
 
 export interface BagState {
   /** The file of a bag of the site. */
@@ -42,9 +42,9 @@ export function BagPanel({ session, state, setState, announce }: PanelProps) {
     file: textMember(state, 'file'),
     play: flagMember(state, 'play', false),
     loop: flagMember(state, 'loop', false),
-    rate: numberMember(state, 'rate', kRates[0]!, kRates.at(-1)!, 1),
+    rate: numberMember(state, 'rate', RATES[0]!, RATES.at(-1)!, 1),
     clock: flagMember(state, 'clock', false),
-    topics: member(state, 'topics') === undefined ? null : textsMember(state, 'topics', kMostChosen),
+    topics: member(state, 'topics') === undefined ? null : textsMember(state, 'topics', MOST_CHOSEN),
     hidden: flagMember(state, 'hidden', false),
   };
   const newest = useRef(options);
@@ -118,7 +118,10 @@ function RecordRow({ desk, session, options, change, announce }: RecordRowProps)
   const { topics, hidden } = options;
   if (recorder !== undefined) {
     const facts = words.recording(
-      formatDuration(recorder.durationMs), words.messages(formatCount(recorder.messages)), recorder.topics, formatBytes(recorder.bytes),
+      formatDuration(recorder.durationMs),
+      words.messages(formatCount(recorder.messages)),
+      recorder.topics,
+      formatBytes(recorder.bytes),
     );
     return (
       <div class="work-row bag-recording">
@@ -167,7 +170,7 @@ function RecordRow({ desk, session, options, change, announce }: RecordRowProps)
           class="select bag-what"
           aria-label={words.what}
           value={topics === null ? 'all' : 'chosen'}
-          onChange={(event) => change({ topics: event.currentTarget.value === 'all' ? null : names.slice(0, kMostChosen) })}
+          onChange={(event) => change({ topics: event.currentTarget.value === 'all' ? null : names.slice(0, MOST_CHOSEN) })}
         >
           <option value="all">{words.all}</option>
           <option value="chosen">{words.chosen}</option>
@@ -192,10 +195,9 @@ function RecordRow({ desk, session, options, change, announce }: RecordRowProps)
                 onChange={(event) =>
                   change({
                     topics: event.currentTarget.checked
-                      ? [...topics, name].slice(0, kMostChosen)
+                      ? [...topics, name].slice(0, MOST_CHOSEN)
                       : topics.filter((one) => one !== name),
-                  })
-                }
+                  })}
               />
               <Name text={name} />
             </label>
@@ -206,7 +208,7 @@ function RecordRow({ desk, session, options, change, announce }: RecordRowProps)
   );
 }
 
-function Shelf({ desk, choose }: { readonly desk: BagDesk; readonly choose: (bag: ShelfBag) => void }) {
+function Shelf({ desk, choose }: { readonly desk: BagDesk; readonly choose: (bag: ShelfBag) => void; }) {
   if (desk.shelf.length === 0) return <p class="hint">{words.none}</p>;
   return (
     <ul class="bag-shelf" role="list" aria-label={words.shelf}>
@@ -237,7 +239,7 @@ function Shelf({ desk, choose }: { readonly desk: BagDesk; readonly choose: (bag
   );
 }
 
-function Files({ desk }: { readonly desk: BagDesk }) {
+function Files({ desk }: { readonly desk: BagDesk; }) {
   if (desk.files.length === 0) return null;
   return (
     <>

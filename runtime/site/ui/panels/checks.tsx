@@ -34,11 +34,9 @@ export function ChecksPanel({ session, announce }: PanelProps) {
       title={texts.panels.checks}
       icon="check"
       note={views.length === 0 ? '' : passedWords(views)}
-      tools={
-        checks === undefined ? null : (
-          <IconButton icon="restart" label={texts.checks.again} onClick={() => checks.again()} />
-        )
-      }
+      tools={checks === undefined ? null : (
+        <IconButton icon="restart" label={texts.checks.again} onClick={() => checks.again()} />
+      )}
     >
       {views.length === 0 ? <p class="hint">{texts.checks.none}</p> : null}
       {views.length === 0 ? null : (
@@ -54,7 +52,7 @@ export function ChecksPanel({ session, announce }: PanelProps) {
   );
 }
 
-function CheckRow({ view }: { readonly view: CheckView }) {
+function CheckRow({ view }: { readonly view: CheckView; }) {
   return (
     <CheckLine
       kind={`node check-row check-${view.state}`}

@@ -16,17 +16,16 @@ import type { PanelProps } from './panel_props.ts';
 
 type View = 'each' | 'merged';
 
-const kViews: readonly View[] = ['each', 'merged'];
+const VIEWS: readonly View[] = ['each', 'merged'];
 
 export function ConsolePanel({ session, focus, store, announce, state, setState }: PanelProps) {
   const nodes = useNodes(session);
-  const [view, setView] = useState<View>(() => readPreference(store, 'consoles', kViews, 'each'));
+  const [view, setView] = useState<View>(() => readPreference(store, 'consoles', VIEWS, 'each'));
   const text = textMember(state, 'text');
   const level: Level | null = LEVELS.find((name) => name === textMember(state, 'level')) ?? null;
   const filter = useMemo<LineFilter>(() => ({ text, level }), [text, level]);
 
-  const change = (next: LineFilter): void =>
-    setState(next.text === '' && next.level === null ? null : { text: next.text, level: next.level ?? '' });
+  const change = (next: LineFilter): void => setState(next.text === '' && next.level === null ? null : { text: next.text, level: next.level ?? '' });
   const choose = (next: View): void => {
     setView(next);
     focus.set(null);
@@ -35,8 +34,8 @@ export function ConsolePanel({ session, focus, store, announce, state, setState 
   const focused = nodes.find((node) => node.id === focus.id);
   const shared = { session, filter, announce };
   const speaks = session.site.launchSteps.length > 0;
-  const tiles =
-    focused !== undefined ? (
+  const tiles = focused !== undefined
+    ? (
       <ConsoleTile
         key={focused.id}
         {...shared}
@@ -44,23 +43,24 @@ export function ConsolePanel({ session, focus, store, announce, state, setState 
         merged={false}
         onClose={() => focus.set(null)}
       />
-    ) : view === 'merged' ? (
+    )
+    : view === 'merged'
+    ? (
       <ConsoleTile key="merged" {...shared} nodes={nodes} merged launch={speaks} />
-    ) : (
-      [
-        ...(speaks
-          ? [<ConsoleTile key="launch" {...shared} nodes={[]} merged={false} launch />]
-          : []),
-        ...nodes.map((node) => (
-          <ConsoleTile key={node.id} {...shared} nodes={[node]} merged={false} />
-        )),
-      ]
-    );
+    )
+    : [
+      ...(speaks
+        ? [<ConsoleTile key="launch" {...shared} nodes={[]} merged={false} launch />]
+        : []),
+      ...nodes.map((node) => (
+        <ConsoleTile key={node.id} {...shared} nodes={[node]} merged={false} />
+      )),
+    ];
 
   const tools = (
     <>
       <div class="choice" role="group" aria-label={texts.console.view}>
-        {kViews.map((name) => (
+        {VIEWS.map((name) => (
           <button
             type="button"
             aria-pressed={focused === undefined && view === name}
@@ -74,9 +74,7 @@ export function ConsolePanel({ session, focus, store, announce, state, setState 
         class="select"
         aria-label={texts.console.level}
         value={level ?? ''}
-        onChange={(event) =>
-          change({ text, level: LEVELS.find((name) => name === event.currentTarget.value) ?? null })
-        }
+        onChange={(event) => change({ text, level: LEVELS.find((name) => name === event.currentTarget.value) ?? null })}
       >
         <option value="">{texts.console.allLevels}</option>
         {LEVELS.slice(1).map((name) => (
@@ -88,11 +86,13 @@ export function ConsolePanel({ session, focus, store, announce, state, setState 
   );
   return (
     <PanelFrame id="console" title={texts.panels.console} icon="console" tools={tools}>
-      {nodes.length === 0 ? (
-        <p class="hint">{texts.nodes.none}</p>
-      ) : (
-        <div class="tiles">{tiles}</div>
-      )}
+      {nodes.length === 0
+        ? (
+          <p class="hint">{texts.nodes.none}</p>
+        )
+        : (
+          <div class="tiles">{tiles}</div>
+        )}
     </PanelFrame>
   );
 }

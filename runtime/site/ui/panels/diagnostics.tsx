@@ -2,7 +2,7 @@
 // time is stale. State: {level, text}.
 
 import { useEffect, useMemo, useReducer, useState } from 'preact/hooks';
-import { countLevels, Diagnostics, kLevels } from '../model/diagnostics.ts';
+import { countLevels, Diagnostics, LEVELS } from '../model/diagnostics.ts';
 import type { DiagnosticLevel, DiagnosticRow } from '../model/diagnostics.ts';
 import { textMember } from '../model/json.ts';
 import { formatAge } from '../model/quantities.ts';
@@ -19,11 +19,11 @@ import { texts } from '../texts.ts';
 import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kTopic = '/diagnostics';
-const kMostRows = 300;
-const kRedrawMs = 500;
+const TOPIC = '/diagnostics';
+const MOST_ROWS = 300;
+const REDRAW_MS = 500;
 
-const kLooks: Readonly<Record<DiagnosticLevel, { readonly icon: IconName; readonly tone: string }>> = {
+const LOOKS: Readonly<Record<DiagnosticLevel, { readonly icon: IconName; readonly tone: string; }>> = {
   error: { icon: 'crash', tone: 'state-bad' },
   warn: { icon: 'warning', tone: 'state-busy' },
   stale: { icon: 'ring', tone: 'state-idle' },
@@ -31,7 +31,7 @@ const kLooks: Readonly<Record<DiagnosticLevel, { readonly icon: IconName; readon
 };
 
 export function DiagnosticsPanel({ session, state, setState, instance }: PanelProps) {
-  const wanted = kLevels.find((level) => level === textMember(state, 'level')) ?? null;
+  const wanted = LEVELS.find((level) => level === textMember(state, 'level')) ?? null;
   const text = textMember(state, 'text').slice(0, 200);
   const codec = useCodec(session);
   const board = useMemo(() => new Diagnostics(), [session]);
@@ -41,13 +41,13 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
-    return feedFromPast(session, codec, kTopic, ({ decoded, publishedAt }) => {
+    return feedFromPast(session, codec, TOPIC, ({ decoded, publishedAt }) => {
       if (decoded.kind === 'value') board.add(decoded.value, publishedAt / 1000);
       setProblem(decoded.kind === 'value' ? '' : texts.topics.undecodable(decoded.reason));
     });
   }, [session, codec, board]);
   // A silent part becomes stale with time.
-  useEvery(kRedrawMs, redraw);
+  useEvery(REDRAW_MS, redraw);
 
   const now = session.time.view().now / 1000;
   const rows = board.rows(now);
@@ -67,7 +67,7 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
         <>
           <div class="choice diagnostics-levels" role="group" aria-label={viewTexts.diagnostics.levels}>
             <LevelButton words={viewTexts.diagnostics.all} count={rows.length} pressed={wanted === null} onClick={() => change(null, text)} />
-            {kLevels.map((level) => (
+            {LEVELS.map((level) => (
               <LevelButton
                 key={level}
                 level={level}
@@ -96,7 +96,7 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
       {rows.length > 0 && found.length === 0 ? <p class="hint">{viewTexts.diagnostics.noneMatch}</p> : null}
       {board.leftOut > 0 ? <p class="hint">{viewTexts.diagnostics.leftOut(board.leftOut)}</p> : null}
       <ul class="topics" role="list">
-        {found.slice(0, kMostRows).map((row) => (
+        {found.slice(0, MOST_ROWS).map((row) => (
           <GraphRow
             key={row.name}
             id={`diagnostic-${instance}-${encodeURIComponent(row.name.toWellFormed())}`}
@@ -109,7 +109,7 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
           />
         ))}
       </ul>
-      {found.length > kMostRows ? <p class="hint">{viewTexts.diagnostics.more(found.length - kMostRows)}</p> : null}
+      {found.length > MOST_ROWS ? <p class="hint">{viewTexts.diagnostics.more(found.length - MOST_ROWS)}</p> : null}
     </PanelFrame>
   );
 }
@@ -126,8 +126,8 @@ function LevelButton({ level, words, count, pressed, onClick }: LevelButtonProps
   return (
     <button type="button" aria-pressed={pressed} onClick={onClick}>
       {level === undefined ? null : (
-        <span class={kLooks[level].tone}>
-          <Icon name={kLooks[level].icon} />
+        <span class={LOOKS[level].tone}>
+          <Icon name={LOOKS[level].icon} />
         </span>
       )}
       {`${words} ${count}`}
@@ -135,8 +135,8 @@ function LevelButton({ level, words, count, pressed, onClick }: LevelButtonProps
   );
 }
 
-function Level({ row: { level, told, at }, now }: { readonly row: DiagnosticRow; readonly now: number }) {
-  const { icon, tone } = kLooks[level];
+function Level({ row: { level, told, at }, now }: { readonly row: DiagnosticRow; readonly now: number; }) {
+  const { icon, tone } = LOOKS[level];
   const words = viewTexts.diagnostics.level;
   return (
     <>
@@ -149,7 +149,7 @@ function Level({ row: { level, told, at }, now }: { readonly row: DiagnosticRow;
   );
 }
 
-function Details({ row: { hardwareId, message, values, more } }: { readonly row: DiagnosticRow }) {
+function Details({ row: { hardwareId, message, values, more } }: { readonly row: DiagnosticRow; }) {
   const facts: readonly (readonly [string, string])[] = [
     [viewTexts.diagnostics.message, message],
     [viewTexts.diagnostics.hardware, hardwareId],

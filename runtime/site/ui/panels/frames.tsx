@@ -21,12 +21,12 @@ import { texts } from '../texts.ts';
 import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostRows = 300;
-const kMostNames = 1000;
-const kMostListed = 8;
-const kDeepest = 10;
-const kRedrawMs = 250;
-const kLongestText = 256;
+const MOST_ROWS = 300;
+const MOST_NAMES = 1000;
+const MOST_LISTED = 8;
+const DEEPEST = 10;
+const REDRAW_MS = 250;
+const LONGEST_TEXT = 256;
 
 interface FramesOptions {
   readonly target: string;
@@ -35,7 +35,7 @@ interface FramesOptions {
 }
 
 export function FramesPanel({ session, state, setState, instance }: PanelProps) {
-  const field = (name: string): string => textMember(state, name).slice(0, kLongestText);
+  const field = (name: string): string => textMember(state, name).slice(0, LONGEST_TEXT);
   const options: FramesOptions = { target: field('target'), source: field('source'), text: field('text') };
   const codec = useCodec(session);
   const tree = useMemo(() => new TransformTree(), [session]);
@@ -43,7 +43,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
   const [problem, setProblem] = useState('');
   const [opened, toggle] = useOpened();
   const came = useRef(0);
-  const shape = useRef<{ readonly came: number; readonly rows: ReturnType<typeof frameRows> } | null>(null);
+  const shape = useRef<{ readonly came: number; readonly rows: ReturnType<typeof frameRows>; } | null>(null);
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
@@ -57,7 +57,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
   }, [session, codec, tree]);
   // At a pace that can be read.
   useEffect(() => {
-    const timer = setInterval(() => redraw(), kRedrawMs);
+    const timer = setInterval(() => redraw(), REDRAW_MS);
     return () => clearInterval(timer);
   }, []);
 
@@ -66,7 +66,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
   const now = session.time.view().now / 1000;
   const wanted = options.text.trim().toLowerCase();
   const found = rows.filter(({ frame }) => frame.name.toLowerCase().includes(wanted));
-  const names = rows.map(({ frame }) => frame.name).toSorted().slice(0, kMostNames);
+  const names = rows.map(({ frame }) => frame.name).toSorted().slice(0, MOST_NAMES);
   const change = (next: Partial<FramesOptions>): void => setState({ ...options, ...next });
 
   return (
@@ -87,7 +87,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
       {tree.refused > 0 ? <Fault words={viewTexts.frames.refused(tree.refused)} /> : null}
       {rows.length > 0 && found.length === 0 ? <p class="hint">{viewTexts.frames.noneMatch}</p> : null}
       <ul class="topics" role="list">
-        {found.slice(0, kMostRows).map((row) => (
+        {found.slice(0, MOST_ROWS).map((row) => (
           <Row
             key={row.frame.name}
             row={row}
@@ -98,7 +98,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
           />
         ))}
       </ul>
-      {found.length > kMostRows ? <p class="hint">{viewTexts.frames.more(found.length - kMostRows)}</p> : null}
+      {found.length > MOST_ROWS ? <p class="hint">{viewTexts.frames.more(found.length - MOST_ROWS)}</p> : null}
       {rows.length < 2 ? null : (
         <Between tree={tree} names={names} target={options.target} source={options.source} onChange={change} />
       )}
@@ -106,7 +106,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
   );
 }
 
-function Fault({ words }: { readonly words: string }) {
+function Fault({ words }: { readonly words: string; }) {
   return (
     <p class="frames-fault">
       <Icon name="warning" />
@@ -117,7 +117,7 @@ function Fault({ words }: { readonly words: string }) {
 
 /** Few of them, as one text. */
 function list(names: readonly string[], joint: string): string {
-  return [...names.slice(0, kMostListed), ...(names.length > kMostListed ? ['\u2026'] : [])].join(joint);
+  return [...names.slice(0, MOST_LISTED), ...(names.length > MOST_LISTED ? ['\u2026'] : [])].join(joint);
 }
 
 interface RowProps {
@@ -132,7 +132,7 @@ function Row({ row: { frame, depth, looped }, now, open, onToggle, id }: RowProp
   const { name, parent, isStatic, newest, transform } = frame;
   const about = parent === null ? viewTexts.frames.root : viewTexts.frames.inParent(parent);
   return (
-    <li class={`topic ${open ? 'topic-open' : ''}`} style={{ paddingLeft: `${Math.min(depth, kDeepest) * 0.875}rem` }}>
+    <li class={`topic ${open ? 'topic-open' : ''}`} style={{ paddingLeft: `${Math.min(depth, DEEPEST) * 0.875}rem` }}>
       <button type="button" class="topic-head" aria-expanded={open} aria-controls={open ? id : undefined} onClick={onToggle}>
         <Icon name="chevron" class="topic-turn" />
         <span class="topic-names">
@@ -150,16 +150,18 @@ function Row({ row: { frame, depth, looped }, now, open, onToggle, id }: RowProp
           </span>
         )}
       </button>
-      {open ? (
-        <div class="topic-inside" id={id}>
-          {parent === null ? <p class="hint">{viewTexts.frames.rootLong}</p> : <TransformFacts transform={transform} />}
-        </div>
-      ) : null}
+      {open
+        ? (
+          <div class="topic-inside" id={id}>
+            {parent === null ? <p class="hint">{viewTexts.frames.rootLong}</p> : <TransformFacts transform={transform} />}
+          </div>
+        )
+        : null}
     </li>
   );
 }
 
-function TransformFacts({ transform: { translation, rotation } }: { readonly transform: Transform }) {
+function TransformFacts({ transform: { translation, rotation } }: { readonly transform: Transform; }) {
   const angles = toRollPitchYaw(rotation);
   const degrees = angles.map((angle) => (angle * 180) / Math.PI);
   const facts: readonly (readonly [string, readonly number[], readonly string[], string])[] = [
@@ -217,7 +219,7 @@ function Between({ tree, names, target, source, onChange }: BetweenProps) {
   );
 }
 
-function whyNot(found: Exclude<Lookup, { readonly kind: 'found' }>): string {
+function whyNot(found: Exclude<Lookup, { readonly kind: 'found'; }>): string {
   switch (found.kind) {
     case 'unknown':
       return viewTexts.frames.unknown(found.frame);

@@ -24,10 +24,10 @@ import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** The graph is looked at this often: nodes that start make many endpoints one after the other. */
-const kPauseMs = 150;
+const PAUSE_MS = 150;
 /** And no more of the time than one part in so many is spent on laying it out. */
-const kLayoutPart = 5;
-const kMargin = 16;
+const LAYOUT_PART = 5;
+const MARGIN = 16;
 
 function readOptions(state: Json): PictureOptions {
   return {
@@ -72,10 +72,10 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
     if (svg.current === null) return;
     const { bounds } = arrangement;
     const text = savedSvg(svg.current, '.graph-all', {
-      x: bounds.x - bounds.width / 2 - kMargin,
-      y: bounds.y - bounds.height / 2 - kMargin,
-      width: bounds.width + 2 * kMargin,
-      height: bounds.height + 2 * kMargin,
+      x: bounds.x - bounds.width / 2 - MARGIN,
+      y: bounds.y - bounds.height / 2 - MARGIN,
+      width: bounds.width + 2 * MARGIN,
+      height: bounds.height + 2 * MARGIN,
     });
     download('graph.svg', new Blob([text], { type: 'image/svg+xml' }));
   };
@@ -128,9 +128,11 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
       }
     >
       {picture.leftOut > 0 ? <p class="hint">{viewTexts.graph.leftOut(picture.leftOut)}</p> : null}
-      {picture.boxes.length === 0 ? (
-        <p class="hint">{options.text === '' ? viewTexts.graph.none : viewTexts.graph.noneMatch}</p>
-      ) : null}
+      {picture.boxes.length === 0
+        ? (
+          <p class="hint">{options.text === '' ? viewTexts.graph.none : viewTexts.graph.noneMatch}</p>
+        )
+        : null}
       <div class="graph-room" ref={setRoom}>
         {picture.boxes.length === 0 || room === null ? null : (
           <GraphDrawing
@@ -179,7 +181,7 @@ function Check({ label, title, checked, onChange }: CheckProps) {
 }
 
 /** The graph, a moment after it changed. */
-function useCalmGraph(session: Session, took: { readonly current: number }): GraphView {
+function useCalmGraph(session: Session, took: { readonly current: number; }): GraphView {
   const [graph, setGraph] = useState(() => session.graph());
   useEffect(() => {
     let timer: ReturnType<typeof setTimeout> | undefined;
@@ -188,7 +190,7 @@ function useCalmGraph(session: Session, took: { readonly current: number }): Gra
       timer ??= setTimeout(() => {
         timer = undefined;
         setGraph(session.graph());
-      }, Math.max(kPauseMs, kLayoutPart * took.current));
+      }, Math.max(PAUSE_MS, LAYOUT_PART * took.current));
     });
     return () => {
       stop();
@@ -198,8 +200,8 @@ function useCalmGraph(session: Session, took: { readonly current: number }): Gra
   return graph;
 }
 
-const kNothing: Picture = { boxes: [], wires: [], groups: [], leftOut: 0 };
-const kNoSizes: Sizes = { boxes: new Map(), wires: new Map() };
+const NOTHING: Picture = { boxes: [], wires: [], groups: [], leftOut: 0 };
+const NO_SIZES: Sizes = { boxes: new Map(), wires: new Map() };
 
 interface Kept {
   readonly of: string;
@@ -209,10 +211,12 @@ interface Kept {
 
 /** The arrangement of the picture: as before, as far as that can be. */
 function useArrangement(
-  picture: Picture, { mode, services, hidden, groups, text }: PictureOptions, room: HTMLElement | null,
+  picture: Picture,
+  { mode, services, hidden, groups, text }: PictureOptions,
+  room: HTMLElement | null,
   /** Is told how long the last one took, in ms. */
-  took: { current: number },
-): { readonly arrangement: Arrangement; readonly layOutAgain: () => void } {
+  took: { current: number; },
+): { readonly arrangement: Arrangement; readonly layOutAgain: () => void; } {
   const kept = useRef<Kept | null>(null);
   const [, redraw] = useState(0);
   // The layout may change when the visitor changes one of these settings.
@@ -227,7 +231,7 @@ function useArrangement(
   if (kept.current === null || kept.current.of !== of || kept.current.picture !== picture) {
     // Nothing stands anywhere before it is known how much room there is.
     const began = performance.now();
-    const arrangement = room === null ? anew(null, kNothing, kNoSizes, view) : make(sizesOf(picture));
+    const arrangement = room === null ? anew(null, NOTHING, NO_SIZES, view) : make(sizesOf(picture));
     took.current = performance.now() - began;
     kept.current = { of, picture, arrangement };
   }

@@ -69,12 +69,11 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
   }, [session, codec, topic]);
   useEffect(() => drawing.current?.again(), [wanted.least, wanted.most]);
 
-  const change = (next: { readonly topic?: string } & Partial<WantedRange>): void => {
+  const change = (next: { readonly topic?: string; } & Partial<WantedRange>): void => {
     const { topic: name, least, most } = { topic, ...wanted, ...next };
     setState({ topic: name, ...(least === undefined ? {} : { least }), ...(most === undefined ? {} : { most }) });
   };
-  const wordsAt = (x: number, y: number): string =>
-    raw.current === null ? drawnWords(canvas.current, x, y) : pixelWords(raw.current, x, y);
+  const wordsAt = (x: number, y: number): string => raw.current === null ? drawnWords(canvas.current, x, y) : pixelWords(raw.current, x, y);
   const cvWindow = useCvWindow(session, codec, topic);
   /** Tab leaves the picture, as everywhere. */
   const takesKey = (key: string): boolean => {
@@ -118,9 +117,11 @@ export function ImagePanel({ session, state, setState, announce }: PanelProps) {
       {spread === null ? null : <RangeRow wanted={wanted} range={spread} change={change} />}
       <CvTrackbars {...cvWindow} />
       {problem === '' ? null : <p class="hint">{problem}</p>}
-      {size === null && problem === '' ? (
-        <p class="hint">{topic === '' ? imageTexts.noTopic : panelTexts.paths.waiting}</p>
-      ) : null}
+      {size === null && problem === ''
+        ? (
+          <p class="hint">{topic === '' ? imageTexts.noTopic : panelTexts.paths.waiting}</p>
+        )
+        : null}
       <PictureView
         canvas={canvas}
         size={size}

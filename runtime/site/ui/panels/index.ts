@@ -9,8 +9,8 @@ import { NodesPanel } from './nodes.tsx';
 import type { PanelGroup, PanelRow } from './panel_props.ts';
 import { TopicsPanel } from './topics.tsx';
 
-const kMostOpened = 4;
-const kGroups: readonly PanelGroup[] = ['run', 'see', 'act', 'files'];
+const MOST_OPENED = 4;
+const GROUPS: readonly PanelGroup[] = ['run', 'see', 'act', 'files'];
 
 /** Without a field it would wait for nothing. */
 function hasPaths(state: Json): boolean {
@@ -255,8 +255,7 @@ export const panels: readonly PanelRow[] = [
     fits: (site) => site.packages.includes('turtlesim'),
     usual: {
       place: 'stage',
-      when: (site) =>
-        site.nodes.some((node) => node.package === 'turtlesim' && node.executable === 'turtlesim_node'),
+      when: (site) => site.nodes.some((node) => node.package === 'turtlesim' && node.executable === 'turtlesim_node'),
     },
     source: { kind: 'lazy', load: () => import('./turtlesim.tsx').then((file) => file.TurtlesimPanel) },
   },
@@ -264,7 +263,7 @@ export const panels: readonly PanelRow[] = [
 
 /** The panels in the "+" menu of a site, group by group. */
 export function offeredPanels(site: SiteDescription): readonly PanelRow[] {
-  return kGroups.flatMap((group) => panels.filter((row) => row.group === group && row.fits?.(site) !== false));
+  return GROUPS.flatMap((group) => panels.filter((row) => row.group === group && row.fits?.(site) !== false));
 }
 
 export function panelRow(id: string): PanelRow | undefined {
@@ -305,7 +304,7 @@ function nameOf(pane: Pane): string {
 function opened(site: SiteDescription): readonly Pane[] {
   const { opens } = site.ui;
   if (!Array.isArray(opens)) return [];
-  return (opens as readonly unknown[]).slice(0, kMostOpened).flatMap((one): readonly Pane[] => {
+  return (opens as readonly unknown[]).slice(0, MOST_OPENED).flatMap((one): readonly Pane[] => {
     const [panel, file] = [textMember(one, 'panel'), textMember(one, 'file')];
     if (panelRow(panel) === undefined) return [];
     return [file === '' ? panel : { [panel]: { file } }];

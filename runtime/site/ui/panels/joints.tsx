@@ -17,10 +17,10 @@ import { panelTexts } from '../texts_panels.ts';
 import { sceneTexts } from '../texts_scene.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kType = 'sensor_msgs/msg/JointState';
-const kPeriodMs = 100;
-const kSteps = 1000;
-const kOwnNode = 1;
+const TYPE = 'sensor_msgs/msg/JointState';
+const PERIOD_MS = 100;
+const STEPS = 1000;
+const OWN_NODE = 1;
 
 export function JointsPanel({ session, state, setState }: PanelProps) {
   const topic = textMember(state, 'topic', '/joint_states');
@@ -29,7 +29,7 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
   const ready = codec === null || typeof codec === 'string' ? null : codec;
   const topics = useTopics(session);
   const others = topics.find(({ name }) => name === topic)?.publishers ?? 0;
-  const targets = [...new Set(['/joint_states', topic, ...topics.filter(({ type }) => type === kType).map(({ name }) => name)])];
+  const targets = [...new Set(['/joint_states', topic, ...topics.filter(({ type }) => type === TYPE).map(({ name }) => name)])];
   const [joints, setJoints] = useState<readonly Joint[]>([]);
   const [problem, setProblem] = useState('');
   const [set, setSet] = useState<ReadonlyMap<string, number>>(new Map());
@@ -76,11 +76,11 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
 
   useEffect(() => {
     if (ready === null || !isOn || !hasJoints) return undefined;
-    const publisher = session.node().publisher(topic, kType);
+    const publisher = session.node().publisher(topic, TYPE);
     publishing.current = true;
     const tell = (): void => {
       const { joints: all, set: positions } = latest.current;
-      const made = ready.encode(kType, {
+      const made = ready.encode(TYPE, {
         header: { stamp: stampOf(session.time.view().now), frame_id: '' },
         name: all.map(({ name }) => name),
         position: [...jointPositions(all, positions)],
@@ -90,7 +90,7 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
       const fault = publisher.problem?.message ?? (made.kind === 'bytes' ? publisher.publish(made.bytes)?.message : made.reason);
       setProblem(fault === undefined ? '' : panelTexts.text.failed(fault));
     };
-    const timer = session.node().timer(kPeriodMs, tell);
+    const timer = session.node().timer(PERIOD_MS, tell);
     return () => {
       timer.close();
       publisher.close();
@@ -105,38 +105,40 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
   };
   const free = joints.filter(({ mimic }) => mimic === null);
   const positions = jointPositions(joints, shown);
-  const isAlone = others - (isOn ? kOwnNode : 0) <= 0;
+  const isAlone = others - (isOn ? OWN_NODE : 0) <= 0;
   return (
     <PanelFrame
       id="joints"
       title={texts.panels.joints}
       icon="sliders"
-      tools={hasJoints ? (
-        <>
-          <select
-            class="select"
-            aria-label={sceneTexts.joints.topic}
-            value={topic}
-            onChange={(event) => setState({ topic: event.currentTarget.value, description, on: isOn })}
-          >
-            {targets.map((name) => <option key={name} value={name}>{name}</option>)}
-          </select>
-          <label class="check">
-            <input
-              type="checkbox"
-              checked={isOn}
-              onChange={(event) => setState({ topic, description, on: event.currentTarget.checked })}
+      tools={hasJoints
+        ? (
+          <>
+            <select
+              class="select"
+              aria-label={sceneTexts.joints.topic}
+              value={topic}
+              onChange={(event) => setState({ topic: event.currentTarget.value, description, on: isOn })}
+            >
+              {targets.map((name) => <option key={name} value={name}>{name}</option>)}
+            </select>
+            <label class="check">
+              <input
+                type="checkbox"
+                checked={isOn}
+                onChange={(event) => setState({ topic, description, on: event.currentTarget.checked })}
+              />
+              {sceneTexts.joints.publish}
+            </label>
+            <IconButton icon="home" label={sceneTexts.joints.center} onClick={() => move(new Map())} />
+            <IconButton
+              icon="restart"
+              label={sceneTexts.joints.randomize}
+              onClick={() => move(new Map(free.map(({ name, least, most }) => [name, least + Math.random() * (most - least)])))}
             />
-            {sceneTexts.joints.publish}
-          </label>
-          <IconButton icon="home" label={sceneTexts.joints.center} onClick={() => move(new Map())} />
-          <IconButton
-            icon="restart"
-            label={sceneTexts.joints.randomize}
-            onClick={() => move(new Map(free.map(({ name, least, most }) => [name, least + Math.random() * (most - least)])))}
-          />
-        </>
-      ) : undefined}
+          </>
+        )
+        : undefined}
     >
       {problem === '' ? null : <p class="hint" role="alert">{problem}</p>}
       {!hasJoints && problem === '' ? <p class="hint">{sceneTexts.joints.waiting(description)}</p> : null}
@@ -168,32 +170,36 @@ function JointRow({ joint: { name, least, most, isSliding, mimic }, position, mo
   };
   return (
     <div class="joint">
-      <span class="joint-name"><Name text={name} /></span>
-      {mimic === null ? (
-        <>
-          <input
-            type="range"
-            aria-label={name}
-            min={least}
-            max={most}
-            step={(most - least) / kSteps}
-            value={position}
-            onInput={(event) => bounded(event.currentTarget.valueAsNumber)}
-          />
-          <input
-            class="field joint-number"
-            type="number"
-            aria-label={sceneTexts.joints.position(name, unit)}
-            min={least}
-            max={most}
-            step="any"
-            value={Number(position.toFixed(3))}
-            onChange={(event) => bounded(event.currentTarget.valueAsNumber)}
-          />
-        </>
-      ) : (
-        <span class="joint-mimic">{sceneTexts.joints.mimics(mimic.joint, position.toFixed(3), unit)}</span>
-      )}
+      <span class="joint-name">
+        <Name text={name} />
+      </span>
+      {mimic === null
+        ? (
+          <>
+            <input
+              type="range"
+              aria-label={name}
+              min={least}
+              max={most}
+              step={(most - least) / STEPS}
+              value={position}
+              onInput={(event) => bounded(event.currentTarget.valueAsNumber)}
+            />
+            <input
+              class="field joint-number"
+              type="number"
+              aria-label={sceneTexts.joints.position(name, unit)}
+              min={least}
+              max={most}
+              step="any"
+              value={Number(position.toFixed(3))}
+              onChange={(event) => bounded(event.currentTarget.valueAsNumber)}
+            />
+          </>
+        )
+        : (
+          <span class="joint-mimic">{sceneTexts.joints.mimics(mimic.joint, position.toFixed(3), unit)}</span>
+        )}
     </div>
   );
 }

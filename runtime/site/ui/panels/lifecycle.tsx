@@ -15,14 +15,14 @@ import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** By lifecycle_msgs/msg/State. */
-const kLooks: Readonly<Record<number, { readonly icon: IconName; readonly tone: string }>> = {
+const LOOKS: Readonly<Record<number, { readonly icon: IconName; readonly tone: string; }>> = {
   1: { icon: 'ring', tone: 'idle' },
   2: { icon: 'pause', tone: 'idle' },
   3: { icon: 'disc', tone: 'good' },
   4: { icon: 'stop', tone: 'done' },
   15: { icon: 'warning', tone: 'bad' },
 };
-const kBusy = { icon: 'arc', tone: 'busy' } as const;
+const BUSY = { icon: 'arc', tone: 'busy' } as const;
 
 export function LifecyclePanel({ session, announce }: PanelProps) {
   const { store, codec } = useStore(session, LifecycleStore);
@@ -40,9 +40,10 @@ export function LifecyclePanel({ session, announce }: PanelProps) {
           <NodeRow
             key={node.name}
             node={node}
-            onChange={(transition) => void store?.change(node.name, transition).then((words) => {
-              if (words !== '') announce(viewTexts.lifecycle.told(node.name, words));
-            })}
+            onChange={(transition) =>
+              void store?.change(node.name, transition).then((words) => {
+                if (words !== '') announce(viewTexts.lifecycle.told(node.name, words));
+              })}
           />
         ))}
       </ul>
@@ -98,9 +99,9 @@ function NodeRow({ node: { name, here, state, transitions, asked, answer, proble
   );
 }
 
-function StateWords({ state }: { readonly state: ManagedNode['state'] }) {
+function StateWords({ state }: { readonly state: ManagedNode['state']; }) {
   if (state === null) return <span class="hint">{viewTexts.lifecycle.reading}</span>;
-  const { icon, tone } = kLooks[state.id] ?? kBusy;
+  const { icon, tone } = LOOKS[state.id] ?? BUSY;
   return (
     <span class={`state state-${tone}`}>
       <Icon name={icon} class={tone === 'busy' ? 'turning' : ''} />

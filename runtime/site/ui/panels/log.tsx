@@ -21,17 +21,17 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kTopic = '/rosout';
-const kShown = 'shown';
-const kCapacity = 100_000;
+const TOPIC = '/rosout';
+const SHOWN = 'shown';
+const CAPACITY = 100_000;
 /** Lines of the consoles that are read at once, and then with each turn of the page. */
-const kFirstPiece = 2000;
-const kPiece = 4000;
+const FIRST_PIECE = 2000;
+const PIECE = 4000;
 /** Names offered to choose from. */
-const kMostNames = 500;
+const MOST_NAMES = 500;
 
 /** As in rcl_interfaces/msg/Log. */
-const kLevels: readonly (readonly [number, string])[] = [
+const WORDS_BY_NUMBER: readonly (readonly [number, string])[] = [
   [10, 'DEBUG'],
   [20, 'INFO'],
   [30, 'WARN'],
@@ -39,21 +39,20 @@ const kLevels: readonly (readonly [number, string])[] = [
   [50, 'FATAL'],
 ];
 
-const shownLine = ({ line, place }: LogEntry, places: boolean): ConsoleLine =>
-  places && place !== '' ? { ...line, text: `${line.text}  [${place}]` } : line;
+const shownLine = ({ line, place }: LogEntry, places: boolean): ConsoleLine => places && place !== '' ? { ...line, text: `${line.text}  [${place}]` } : line;
 
 export function LogPanel({ session, state, setState, announce }: PanelProps) {
   const level = LEVELS.find((name) => name === textMember(state, 'level')) ?? null;
   const node = textMember(state, 'node');
   const text = textMember(state, 'text');
-  const places = textMember(state, 'places') === kShown;
+  const places = textMember(state, 'places') === SHOWN;
   const codec = useCodec(session);
-  const history = useRef(new LogHistory(kCapacity, []));
+  const history = useRef(new LogHistory(CAPACITY, []));
   /** Not in the list yet: with the next frame. */
   const fresh = useRef<LogEntry[]>([]);
   const names = useRef(new Set<string>());
   const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
-  const list = useMemo(() => new GrowingList(kCapacity), []);
+  const list = useMemo(() => new GrowingList(CAPACITY), []);
   const wanted = useRef({ node, places });
   wanted.current = { node, places };
 
@@ -80,24 +79,24 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
-    const log = new LogHistory(kCapacity, session.nodes().map(({ id }) => session.console(id).lines()));
+    const log = new LogHistory(CAPACITY, session.nodes().map(({ id }) => session.console(id).lines()));
     history.current = log;
     let frame = 0;
     let turn: ReturnType<typeof setTimeout> | undefined;
     let completed = false;
     const meet = (entry: LogEntry): void => {
-      if (names.current.size < kMostNames) names.current.add(entry.node);
+      if (names.current.size < MOST_NAMES) names.current.add(entry.node);
     };
     const readOn = (lines: number): void => {
       const older = log.older(lines);
       older.forEach(meet);
       list.prepend(linesOf(older));
       if (older.length > 0) changed();
-      turn = log.done ? undefined : setTimeout(() => readOn(kPiece));
+      turn = log.done ? undefined : setTimeout(() => readOn(PIECE));
     };
     fresh.current = [];
     list.clear();
-    readOn(kFirstPiece);
+    readOn(FIRST_PIECE);
     const show = (): void => {
       frame = 0;
       if (completed) fill();
@@ -106,7 +105,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
       fresh.current = [];
       changed();
     };
-    const stop = feed(session, codec, kTopic, ({ decoded, publishedAt }) => {
+    const stop = feed(session, codec, TOPIC, ({ decoded, publishedAt }) => {
       if (decoded.kind !== 'value') return;
       const entry = entryOf(decoded.value, publishedAt);
       if (entry === null) return;
@@ -115,7 +114,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
       if (taken === 'new') fresh.current.push(entry);
       else if (taken === 'longer' || (taken === 'placed' && wanted.current.places)) completed = true;
       // No frame comes while the page is hidden.
-      if (fresh.current.length > 2 * kCapacity) fresh.current = fresh.current.slice(-kCapacity);
+      if (fresh.current.length > 2 * CAPACITY) fresh.current = fresh.current.slice(-CAPACITY);
       if (frame === 0 && drawing.current.inSight) frame = requestAnimationFrame(show);
     });
     drawing.current.show = show;
@@ -127,8 +126,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
     };
   }, [session, codec, list]);
 
-  const change = (next: Readonly<Record<string, string>>): void =>
-    setState({ level: level ?? '', node, text, places: places ? kShown : '', ...next });
+  const change = (next: Readonly<Record<string, string>>): void => setState({ level: level ?? '', node, text, places: places ? SHOWN : '', ...next });
   const clear = (): void => {
     history.current.clear();
     fresh.current = [];
@@ -173,7 +171,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
             icon="code"
             label={panelTexts.log.places}
             pressed={places}
-            onClick={() => change({ places: places ? '' : kShown })}
+            onClick={() => change({ places: places ? '' : SHOWN })}
           />
           <CopyButton label={panelTexts.log.copy} text={() => list.text()} announce={announce} />
           <IconButton
@@ -195,7 +193,7 @@ function entryOf(value: unknown, publishedAt: number): LogEntry | null {
   if (!isMessage(value)) return null;
   const { stamp, level, name, msg, file, function: within, line } = value;
   const number = asNumber(level);
-  const word = kLevels.find(([least]) => least === number)?.[1] ?? 'INFO';
+  const word = WORDS_BY_NUMBER.find(([least]) => least === number)?.[1] ?? 'INFO';
   const { sec, nanosec } = isMessage(stamp) ? stamp : { sec: 0, nanosec: 0 };
   const nano = String(asNumber(nanosec)).padStart(9, '0');
   const node = typeof name === 'string' ? name : '';

@@ -50,8 +50,8 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
 }
 
 /** Few sites have a launch form, so it is loaded later and is not part of the first view. */
-function LaunchBox({ launch }: { readonly launch: LaunchView }) {
-  const [Form, setForm] = useState<ComponentType<{ launch: LaunchView }> | null>(null);
+function LaunchBox({ launch }: { readonly launch: LaunchView; }) {
+  const [Form, setForm] = useState<ComponentType<{ launch: LaunchView; }> | null>(null);
   useEffect(() => {
     void import('../parts/launch_form.tsx').then(({ LaunchForm }) => setForm(() => LaunchForm));
   }, []);
@@ -59,10 +59,9 @@ function LaunchBox({ launch }: { readonly launch: LaunchView }) {
 }
 
 /** The form comes when it is opened. */
-function SeedBox({ seed }: { readonly seed: number | undefined }) {
-  const [Form, setForm] = useState<ComponentType<{ seed: number | undefined }> | null>(null);
-  const load = (): void =>
-    void import('../parts/seed_form.tsx').then(({ SeedForm }) => setForm(() => SeedForm));
+function SeedBox({ seed }: { readonly seed: number | undefined; }) {
+  const [Form, setForm] = useState<ComponentType<{ seed: number | undefined; }> | null>(null);
+  const load = (): void => void import('../parts/seed_form.tsx').then(({ SeedForm }) => setForm(() => SeedForm));
   return (
     <details class="launch" open={seed !== undefined} onToggle={load}>
       <summary class="launch-title">{texts.seed}</summary>
@@ -80,10 +79,9 @@ interface NodeRowProps extends Pick<PanelProps, 'session' | 'announce'> {
 
 function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProps) {
   const alive = isAlive(node.state);
-  const upTime =
-    node.state.kind === 'running' && node.startedAt !== undefined
-      ? formatDuration(now - node.startedAt)
-      : null;
+  const upTime = node.state.kind === 'running' && node.startedAt !== undefined
+    ? formatDuration(now - node.startedAt)
+    : null;
   const links = useContext(SourceLinksContext);
   const filesOf = (paths: readonly string[] = []): string[] => paths.flatMap((path) => links?.fileOf(path) ?? []);
   // The file of a package as a whole is not the one that people want to see.
@@ -102,19 +100,21 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
           <Name text={node.label} />
         </button>
         <div class="node-tools">
-          {alive ? (
-            <IconButton
-              icon="stop"
-              label={texts.nodes.stop(node.label)}
-              onClick={() => session.stop(node.id)}
-            />
-          ) : (
-            <IconButton
-              icon="play"
-              label={texts.nodes.start(node.label)}
-              onClick={() => session.start(node.id)}
-            />
-          )}
+          {alive
+            ? (
+              <IconButton
+                icon="stop"
+                label={texts.nodes.stop(node.label)}
+                onClick={() => session.stop(node.id)}
+              />
+            )
+            : (
+              <IconButton
+                icon="play"
+                label={texts.nodes.start(node.label)}
+                onClick={() => session.start(node.id)}
+              />
+            )}
           <IconButton
             icon="restart"
             label={texts.nodes.restart(node.label)}
@@ -143,36 +143,40 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
         {upTime === null ? null : <span class="node-time">{texts.nodes.upSince(upTime)}</span>}
       </p>
       <p class="node-facts">
-        {node.command === true ? (
-          <span title={texts.nodes.command}>{node.id}</span>
-        ) : (
-          <span title={texts.nodes.program}>
-            <Name text={node.package} /> <span class="node-program">{node.executable}</span>
-          </span>
-        )}
+        {node.command === true
+          ? (
+            <span title={texts.nodes.command}>{node.id}</span>
+          )
+          : (
+            <span title={texts.nodes.program}>
+              <Name text={node.package} /> <span class="node-program">{node.executable}</span>
+            </span>
+          )}
         {node.source === undefined ? null : (
           <span class="node-place" title={texts.nodes.declared}>
             {placeText(node.source)}
           </span>
         )}
       </p>
-      {node.state.kind === 'crashed' ? (
-        <ProblemView
-          announce={announce}
-          problem={{
-            code: node.state.code,
-            what: node.state.message,
-            place: node.source === undefined ? null : placeText(node.source),
-            why: [],
-            fix: [],
-          }}
-          hint={texts.problem.nodeHint}
-        >
-          <button type="button" class="button" onClick={() => session.restart(node.id)}>
-            {texts.restart}
-          </button>
-        </ProblemView>
-      ) : null}
+      {node.state.kind === 'crashed'
+        ? (
+          <ProblemView
+            announce={announce}
+            problem={{
+              code: node.state.code,
+              what: node.state.message,
+              place: node.source === undefined ? null : placeText(node.source),
+              why: [],
+              fix: [],
+            }}
+            hint={texts.problem.nodeHint}
+          >
+            <button type="button" class="button" onClick={() => session.restart(node.id)}>
+              {texts.restart}
+            </button>
+          </ProblemView>
+        )
+        : null}
     </li>
   );
 }

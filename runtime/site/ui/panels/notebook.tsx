@@ -11,7 +11,7 @@ import { isUp, notebookStore } from '../parts/notebook_store.ts';
 import type { NotebookStore, NotebookView } from '../parts/notebook_store.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { readSiteText } from '../parts/site_text.ts';
-import { kMostNotebook } from '../model/notebook.ts';
+import { MOST_NOTEBOOK } from '../model/notebook.ts';
 import { texts } from '../texts.ts';
 import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -19,10 +19,10 @@ import type { PanelProps } from './panel_props.ts';
 const words = viewTexts.notebook;
 
 export function NotebookPanel({ session, instance, announce }: PanelProps) {
-  const [store] = useState(() => notebookStore(session, (path) => readSiteText(path, kMostNotebook)));
+  const [store] = useState(() => notebookStore(session, (path) => readSiteText(path, MOST_NOTEBOOK)));
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
   /** The cell that has the keyboard, or is to get it. */
-  const [current, setCurrent] = useState<{ readonly key: string; readonly focus: boolean } | null>(null);
+  const [current, setCurrent] = useState<{ readonly key: string; readonly focus: boolean; } | null>(null);
   useEffect(() => store?.onChange(() => redraw()), [store]);
 
   if (store === null)
@@ -120,7 +120,7 @@ function Tools({ store, view, add }: ToolsProps) {
 }
 
 /** Tells who does not see it that a cell is over. */
-function Spoken({ view, announce }: { readonly view: NotebookView; readonly announce: (text: string) => void }) {
+function Spoken({ view, announce }: { readonly view: NotebookView; readonly announce: (text: string) => void; }) {
   const { running, notebook } = view;
   const [last, setLast] = useState<string | null>(null);
   useEffect(() => {

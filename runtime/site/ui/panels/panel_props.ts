@@ -63,11 +63,11 @@ export interface PanelRow {
   };
   /** Part of the first view; or loaded when the panel is opened. */
   readonly source:
-    | { readonly kind: 'ready'; readonly component: PanelComponent }
+    | { readonly kind: 'ready'; readonly component: PanelComponent; }
     | {
-        readonly kind: 'lazy';
-        readonly load: () => Promise<PanelComponent>;
-        /** It needs no styles but those of the first view. */
-        readonly plain?: boolean;
-      };
+      readonly kind: 'lazy';
+      readonly load: () => Promise<PanelComponent>;
+      /** It needs no styles but those of the first view. */
+      readonly plain?: boolean;
+    };
 }

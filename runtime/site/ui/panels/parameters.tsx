@@ -20,21 +20,21 @@ import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Rows of one node that are drawn: the filter finds the others. */
-const kMostRows = 200;
-const kMostClosed = 100;
-const kLongestText = 200;
+const MOST_ROWS = 200;
+const MOST_CLOSED = 100;
+const LONGEST_TEXT = 200;
 /** Every node has them: shown on request, or when the filter asks for them. */
-const kOfEveryNode = /^(use_sim_time$|start_type_description_service$|qos_overrides\.)/;
+const OF_EVERY_NODE = /^(use_sim_time$|start_type_description_service$|qos_overrides\.)/;
 
 export function ParametersPanel({ session, state, setState, announce, instance }: PanelProps) {
-  const text = textMember(state, 'text').slice(0, kLongestText);
-  const closed = textsMember(state, 'closed', kMostClosed);
+  const text = textMember(state, 'text').slice(0, LONGEST_TEXT);
+  const closed = textsMember(state, 'closed', MOST_CLOSED);
   const { store, codec } = useStore(session, ParameterStore);
   const time = useTime(session);
   const [hidden, setHidden] = useState(false);
   const ready = codec !== null && typeof codec !== 'string';
 
-  const change = (next: { text?: string; closed?: readonly string[] }): void => {
+  const change = (next: { text?: string; closed?: readonly string[]; }): void => {
     const { text: wanted, closed: names } = { text, closed, ...next };
     setState({ text: wanted, closed: [...names] });
   };
@@ -42,8 +42,8 @@ export function ParametersPanel({ session, state, setState, announce, instance }
   const wanted = text.trim().toLowerCase();
   const found = nodes.flatMap((node) => {
     const all = [...node.parameters];
-    const own = all.filter(([name]) => !kOfEveryNode.test(name));
-    const usual = all.filter(([name]) => kOfEveryNode.test(name));
+    const own = all.filter(([name]) => !OF_EVERY_NODE.test(name));
+    const usual = all.filter(([name]) => OF_EVERY_NODE.test(name));
     if (wanted === '' || node.name.toLowerCase().includes(wanted)) return [{ node, rows: own, usual }];
     const some = [...own, ...usual].filter(([name]) => name.toLowerCase().includes(wanted));
     return some.length === 0 ? [] : [{ node, rows: some, usual: [] }];
@@ -76,9 +76,8 @@ export function ParametersPanel({ session, state, setState, announce, instance }
               change({
                 closed: closed.includes(node.name)
                   ? closed.filter((name) => name !== node.name)
-                  : [...closed, node.name].slice(-kMostClosed),
-              })
-            }
+                  : [...closed, node.name].slice(-MOST_CLOSED),
+              })}
             store={store}
             announce={announce}
             instance={instance}
@@ -103,8 +102,7 @@ function NodeSection({ node, rows: own, usual, open, onToggle, store, announce, 
   const [all, setAll] = useState(false);
   const rows = all ? [...own, ...usual] : own;
   const inside = `parameters-${instance}-${encodeURIComponent(node.name)}`;
-  const values = (): Map<string, KnownParameter['value']> =>
-    new Map([...node.parameters].map(([name, { value }]) => [name, value]));
+  const values = (): Map<string, KnownParameter['value']> => new Map([...node.parameters].map(([name, { value }]) => [name, value]));
   return (
     <li class={`topic ${open ? 'topic-open' : ''}`}>
       <div class="parameters-head">
@@ -126,8 +124,8 @@ function NodeSection({ node, rows: own, usual, open, onToggle, store, announce, 
                   ? panelTexts.parameters.gone
                   : panelTexts.parameters.goneWith
                 : node.reading
-                  ? panelTexts.parameters.reading
-                  : panelTexts.parameters.count(node.parameters.size)}
+                ? panelTexts.parameters.reading
+                : panelTexts.parameters.count(node.parameters.size)}
             </span>
           </span>
         </button>
@@ -143,34 +141,38 @@ function NodeSection({ node, rows: own, usual, open, onToggle, store, announce, 
           onClick={() => store?.reload(node.name)}
         />
       </div>
-      {open ? (
-        <div class="parameters-inside" id={inside}>
-          <WorkProblem text={node.here && !node.reading && node.problem !== '' ? panelTexts.parameters.unread(node.problem) : ''} />
-          {rows.length > 0 ? (
-            <ul class="parameters" role="list">
-              {rows.slice(0, kMostRows).map(([name, parameter]) => (
-                <ParameterRow
-                  key={name}
-                  node={node.name}
-                  name={name}
-                  parameter={parameter}
-                  here={node.here}
-                  set={(value) =>
-                    store?.set(node.name, name, value) ?? Promise.reject(new Error(panelTexts.parameters.gone))
-                  }
-                  announce={announce}
-                />
-              ))}
-            </ul>
-          ) : null}
-          {usual.length > 0 ? (
-            <button type="button" class="button parameters-more" aria-expanded={all} onClick={() => setAll(!all)}>
-              {all ? panelTexts.parameters.hideUsual : panelTexts.parameters.showUsual(usual.length)}
-            </button>
-          ) : null}
-          {rows.length > kMostRows ? <p class="hint">{panelTexts.parameters.more(kMostRows, rows.length)}</p> : null}
-        </div>
-      ) : null}
+      {open
+        ? (
+          <div class="parameters-inside" id={inside}>
+            <WorkProblem text={node.here && !node.reading && node.problem !== '' ? panelTexts.parameters.unread(node.problem) : ''} />
+            {rows.length > 0
+              ? (
+                <ul class="parameters" role="list">
+                  {rows.slice(0, MOST_ROWS).map(([name, parameter]) => (
+                    <ParameterRow
+                      key={name}
+                      node={node.name}
+                      name={name}
+                      parameter={parameter}
+                      here={node.here}
+                      set={(value) => store?.set(node.name, name, value) ?? Promise.reject(new Error(panelTexts.parameters.gone))}
+                      announce={announce}
+                    />
+                  ))}
+                </ul>
+              )
+              : null}
+            {usual.length > 0
+              ? (
+                <button type="button" class="button parameters-more" aria-expanded={all} onClick={() => setAll(!all)}>
+                  {all ? panelTexts.parameters.hideUsual : panelTexts.parameters.showUsual(usual.length)}
+                </button>
+              )
+              : null}
+            {rows.length > MOST_ROWS ? <p class="hint">{panelTexts.parameters.more(MOST_ROWS, rows.length)}</p> : null}
+          </div>
+        )
+        : null}
     </li>
   );
 }

@@ -24,14 +24,14 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kCapacity = 50_000;
-const kMostPaths = 16;
-const kSmall = 1e-3;
-const kWordsMs = 250;
+const CAPACITY = 50_000;
+const MOST_PATHS = 16;
+const SMALL = 1e-3;
+const WORDS_MS = 250;
 /** Values of one moment that are written out. */
-const kMostTogether = 8;
-const kSeconds = [5, 10, 30, 60, 300, 3600] as const;
-const kUsualSeconds = 30;
+const MOST_TOGETHER = 8;
+const SECONDS = [5, 10, 30, 60, 300, 3600] as const;
+const USUAL_SECONDS = 30;
 
 interface PlotOptions {
   readonly paths: readonly string[];
@@ -41,9 +41,9 @@ interface PlotOptions {
 
 function readOptions(state: Json): PlotOptions {
   return {
-    paths: [...new Set(textsMember(state, 'paths', kMostPaths))],
+    paths: [...new Set(textsMember(state, 'paths', MOST_PATHS))],
     mode: textMember(state, 'mode') === 'xy' ? 'xy' : 'time',
-    seconds: numberMember(state, 'seconds', 1, 86_400, kUsualSeconds),
+    seconds: numberMember(state, 'seconds', 1, 86_400, USUAL_SECONDS),
   };
 }
 
@@ -71,7 +71,7 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
   for (const path of tracks.current.keys()) if (!paths.includes(path)) tracks.current.delete(path);
   for (const path of paths)
     if (!tracks.current.has(path))
-      tracks.current.set(path, { samples: new Samples(kCapacity), problem: '' });
+      tracks.current.set(path, { samples: new Samples(CAPACITY), problem: '' });
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
@@ -94,7 +94,7 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
   }, [session, codec, paths.join('\n')]);
 
   // The words beside the names follow at a pace that can be read.
-  useEvery(kWordsMs, redraw);
+  useEvery(WORDS_MS, redraw);
 
   const named = paths.flatMap((path) => {
     const track = tracks.current.get(path);
@@ -118,8 +118,7 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
     changed: () => {
       version.current += 1;
     },
-    told: (moment) =>
-      announce(panelTexts.plot.values(moment - zero(), named.map(({ name, samples }) => [name, momentWords(samples, moment)]))),
+    told: (moment) => announce(panelTexts.plot.values(moment - zero(), named.map(({ name, samples }) => [name, momentWords(samples, moment)]))),
   });
   const { held, hold, moment } = view;
   const source = (): PlotSource => ({
@@ -138,7 +137,7 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
       if (canvas.current !== null) savePng(canvas.current);
     },
   };
-  const longest = kSeconds.some((one) => one === seconds) ? kSeconds : [...kSeconds, seconds];
+  const longest = SECONDS.some((one) => one === seconds) ? SECONDS : [...SECONDS, seconds];
 
   return (
     <PanelFrame
@@ -236,21 +235,21 @@ function wordsOf(track: Track | undefined, moment: number | null): string {
 function momentWords(samples: Samples, moment: number): string {
   const values = samples.valuesAt(moment);
   if (values.length === 0) return numberWords(Number.NaN);
-  const shown = values.slice(-kMostTogether).map(numberWords).join(' ');
-  return values.length > kMostTogether ? `\u2026 ${shown}` : shown;
+  const shown = values.slice(-MOST_TOGETHER).map(numberWords).join(' ');
+  return values.length > MOST_TOGETHER ? `\u2026 ${shown}` : shown;
 }
 
 function numberWords(value: number): string {
   if (Number.isNaN(value)) return '-';
   // Six digits behind many zeros would be as long as two numbers.
-  return value !== 0 && Math.abs(value) < kSmall ? value.toExponential(3) : String(Number(value.toPrecision(6)));
+  return value !== 0 && Math.abs(value) < SMALL ? value.toExponential(3) : String(Number(value.toPrecision(6)));
 }
 
 /** Colours that stay apart in print and for colour-blind people; those of the light theme. */
-const kInk = ['#2450b2', '#b3261e', '#12703b', '#8a5a00', '#7b3fb5', '#00707a', '#a02a6a', '#4a5563'];
+const INK = ['#2450b2', '#b3261e', '#12703b', '#8a5a00', '#7b3fb5', '#00707a', '#a02a6a', '#4a5563'];
 
 function svgOf(source: PlotSource, mode: PlotMode): string {
-  const color = (index: number): string => kInk[index % kInk.length] ?? '#000000';
+  const color = (index: number): string => INK[index % INK.length] ?? '#000000';
   if (mode === 'xy') {
     const [first, ...others] = source.series;
     const pairs = pairsOf(source);

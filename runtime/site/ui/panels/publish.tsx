@@ -21,8 +21,8 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kLeastRate = 0.01;
-const kMostRate = 1000;
+const LEAST_RATE = 0.01;
+const MOST_RATE = 1000;
 
 /** The names of all message types; a failure goes to `fail`. */
 function useMessageTypes(session: Session, fail: (problem: string) => void): readonly string[] {
@@ -79,7 +79,7 @@ function SendRow({ publishing, isAble, rate, setRate }: SendRowProps) {
           onInput={(event) => {
             setRateText(event.currentTarget.value);
             const next = Number(event.currentTarget.value);
-            if (next >= kLeastRate && next <= kMostRate) setRate(next);
+            if (next >= LEAST_RATE && next <= MOST_RATE) setRate(next);
           }}
         />
       </label>
@@ -101,7 +101,7 @@ function SendRow({ publishing, isAble, rate, setRate }: SendRowProps) {
 export function PublishPanel({ session, state, setState, instance }: PanelProps) {
   const topic = textMember(state, 'topic');
   const type = textMember(state, 'type');
-  const rate = numberMember(state, 'rate', kLeastRate, kMostRate, 10);
+  const rate = numberMember(state, 'rate', LEAST_RATE, MOST_RATE, 10);
   const message = textMember(state, 'message');
   const topics = useTopics(session);
   const codec = useCodec(session);
@@ -119,7 +119,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
     else if (message === '') setDraft(beginDraft(ready, type));
   }, [codec, type, message]);
 
-  const change = (next: { topic?: string; type?: string; rate?: number; message?: string }): void =>
+  const change = (next: { topic?: string; type?: string; rate?: number; message?: string; }): void =>
     setState({ topic, type, rate, ...(message === '' ? {} : { message }), ...next });
   /** As it is when it is left: not at each key. */
   const store = (): void => {

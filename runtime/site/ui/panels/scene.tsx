@@ -2,7 +2,7 @@
 // State: model/scene_options.ts.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { kPlainLook, withLook } from '../model/display_look.ts';
+import { PLAIN_LOOK, withLook } from '../model/display_look.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { member, textMember } from '../model/json.ts';
 import { problemOf } from '../model/problem.ts';
@@ -19,7 +19,7 @@ import { SceneToolbar, siteFile } from '../parts/scene_toolbar.tsx';
 import type { NamedText } from '../parts/scene_toolbar.tsx';
 import { SceneTroubles } from '../parts/scene_troubles.tsx';
 import { useTopics } from '../parts/watch.ts';
-import { canShow, kOdometry, settingsOf } from '../scene/kinds.ts';
+import { canShow, ODOMETRY, settingsOf } from '../scene/kinds.ts';
 import type { Picked } from '../scene/pick.ts';
 import { useScene } from '../scene/use_scene.ts';
 import type { ShownTopic } from '../scene/use_scene.ts';
@@ -29,10 +29,10 @@ import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Upper bound of the topics that are shown though nobody chose them. */
-const kMostUnasked = 20;
-const kMostOffers = 1000;
-const kMostFiles = 20;
-const kMostFields = 30;
+const MOST_UNASKED = 20;
+const MOST_OFFERS = 1000;
+const MOST_FILES = 20;
+const MOST_FIELDS = 30;
 
 /** Words and lines of the scene that can be read over a background which is not the page's; none for the page's. */
 function colorsOver(background: string): Readonly<Record<string, string>> {
@@ -64,13 +64,12 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const known = topics
     .filter(({ name, type }) => canShow(name, type) && (!isHiddenTopic(name) || options.topics?.includes(name) === true))
     .toSorted((a, b) => (a.name < b.name ? -1 : 1));
-  const usual = known.slice(0, kMostUnasked);
-  const isOn = (name: string): boolean =>
-    options.topics === null ? usual.some((topic) => topic.name === name) : options.topics.includes(name);
+  const usual = known.slice(0, MOST_UNASKED);
+  const isOn = (name: string): boolean => options.topics === null ? usual.some((topic) => topic.name === name) : options.topics.includes(name);
   const shown: readonly ShownTopic[] = known.filter(({ name }) => isOn(name));
 
   const files = useMemo(
-    () => session.site.files.map(({ path }) => path).filter((path) => path.endsWith('.rviz')).slice(0, kMostFiles),
+    () => session.site.files.map(({ path }) => path).filter((path) => path.endsWith('.rviz')).slice(0, MOST_FILES),
     [session],
   );
   const showAs = async (file: NamedText): Promise<void> => {
@@ -92,7 +91,11 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   }, [asked]);
 
   const { canvas, veil, view, tree, problem, forget, unreadable, newest } = useScene({
-    session, codec, options, shown, aims: tools.aims,
+    session,
+    codec,
+    options,
+    shown,
+    aims: tools.aims,
     onView: (next) => change({ view: next }),
     onPose: tools.onPose,
     onPick: tools.onPick,
@@ -101,14 +104,14 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   useEffect(() => view?.measure(tools.measured), [view, tools.measured]);
 
   // Roots first: those are what one wants to see from.
-  const frames = [...new Set([...tree.roots(), ...tree.views().map(({ name }) => name)])].slice(0, kMostOffers);
+  const frames = [...new Set([...tree.roots(), ...tree.views().map(({ name }) => name)])].slice(0, MOST_OFFERS);
   const rows = known.map(({ name, type }) => ({
     name,
     type,
     on: isOn(name),
     problem: isOn(name) ? (unreadable.get(name) ?? view?.problem(name) ?? '') : '',
     settings: settingsOf(name, type),
-    look: options.looks[name] ?? kPlainLook,
+    look: options.looks[name] ?? PLAIN_LOOK,
     fields: fieldsOf(newest(name)),
   }));
   const loops = tree.loops().map(([first]) => panelTexts.scene.loop(first ?? ''));
@@ -118,7 +121,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const pictures = [...new Set([
     ...topics.filter(({ name, type }) => isImage(type) && !isHiddenTopic(name)).map(({ name }) => name).toSorted(),
     ...options.images.map(({ topic }) => topic),
-  ])].slice(0, kMostOffers);
+  ])].slice(0, MOST_OFFERS);
 
   return (
     <PanelFrame
@@ -141,27 +144,29 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       {typeof codec === 'string' ? <p class="hint">{texts.topics.undecodable(codec)}</p> : null}
       {problem === '' ? null : <p class="hint" role="alert">{problem}</p>}
       <div class="scene">
-        {options.list ? (
-          <SceneList
-            flags={[
-              { words: panelTexts.scene.grid, on: options.grid, set: (grid) => change({ grid }) },
-              { words: panelTexts.scene.frames, on: options.frames, set: (on) => change({ frames: on }) },
-              { words: panelTexts.scene.names, on: options.names, set: (names) => change({ names }) },
-            ]}
-            keep={shown.some(({ type }) => type === kOdometry) ? { count: options.keep, set: (keep) => change({ keep }) } : null}
-            follow={{ frame: options.follow, frames, set: (follow) => change({ follow }) }}
-            rows={rows}
-            note={note}
-            onRow={(name, on) => {
-              const others = shown.map((topic) => topic.name).filter((other) => other !== name);
-              const kept = (options.topics ?? []).filter((other) => other !== name && !others.includes(other));
-              change({ topics: [...others, ...kept, ...(on ? [name] : [])] });
-            }}
-            onLook={(name, look) => change({ looks: withLook(latest.current.options.looks, name, look) })}
-            onDetails={(topic) => inspect({ topic, hit: null })}
-            pictures={{ topics: pictures, images: options.images, set: (images) => change({ images }) }}
-          />
-        ) : null}
+        {options.list
+          ? (
+            <SceneList
+              flags={[
+                { words: panelTexts.scene.grid, on: options.grid, set: (grid) => change({ grid }) },
+                { words: panelTexts.scene.frames, on: options.frames, set: (on) => change({ frames: on }) },
+                { words: panelTexts.scene.names, on: options.names, set: (names) => change({ names }) },
+              ]}
+              keep={shown.some(({ type }) => type === ODOMETRY) ? { count: options.keep, set: (keep) => change({ keep }) } : null}
+              follow={{ frame: options.follow, frames, set: (follow) => change({ follow }) }}
+              rows={rows}
+              note={note}
+              onRow={(name, on) => {
+                const others = shown.map((topic) => topic.name).filter((other) => other !== name);
+                const kept = (options.topics ?? []).filter((other) => other !== name && !others.includes(other));
+                change({ topics: [...others, ...kept, ...(on ? [name] : [])] });
+              }}
+              onLook={(name, look) => change({ looks: withLook(latest.current.options.looks, name, look) })}
+              onDetails={(topic) => inspect({ topic, hit: null })}
+              pictures={{ topics: pictures, images: options.images, set: (images) => change({ images }) }}
+            />
+          )
+          : null}
         <div class="scene-stage">
           <canvas
             class={`scene-canvas ${tools.tool === null ? '' : 'scene-tool'}`}
@@ -197,7 +202,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
 function fieldsOf(message: unknown): readonly string[] {
   const fields = member(message, 'fields');
   if (!Array.isArray(fields)) return [];
-  return (fields.slice(0, kMostFields) as readonly unknown[])
+  return (fields.slice(0, MOST_FIELDS) as readonly unknown[])
     .map((field) => textMember(field, 'name'))
     .filter((name) => name !== '' && name !== 'rgba');
 }

@@ -199,11 +199,13 @@ function CallView(props: ViewProps) {
         <button type="submit" class="button button-main" aria-disabled={calling ? 'true' : undefined}>
           {calling ? panelTexts.services.calling : panelTexts.services.call}
         </button>
-        {calling ? (
-          <button type="button" class="button" onClick={giveUp}>
-            {panelTexts.services.giveUp}
-          </button>
-        ) : null}
+        {calling
+          ? (
+            <button type="button" class="button" onClick={giveUp}>
+              {panelTexts.services.giveUp}
+            </button>
+          )
+          : null}
         {givenUp ? <span class="hint">{panelTexts.services.gaveUp}</span> : null}
       </div>
       <WorkProblem text={problem} />

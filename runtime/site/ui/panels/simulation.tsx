@@ -2,17 +2,14 @@
 // State: model/simulation_options.ts.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { kUsualView } from '../model/camera_view.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
-import { freeName, kSimShapeHeight, kSimShapes, sdfOf } from '../model/sim_shapes.ts';
+import { freeName, SIM_SHAPE_HEIGHT, sdfOf } from '../model/sim_shapes.ts';
 import type { SimShape } from '../model/sim_shapes.ts';
 import { modelOf } from '../model/sim_world.ts';
 import { readSimulation, writeSimulation } from '../model/simulation_options.ts';
 import type { SimulationOptions } from '../model/simulation_options.ts';
 import type { Vector } from '../model/transform.ts';
-import { IconButton } from '../parts/button.tsx';
 import { isImage } from '../parts/image_drawing.ts';
-import { MenuButton } from '../parts/menu.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SceneImages } from '../parts/scene_images.tsx';
@@ -20,6 +17,7 @@ import { SceneTroubles } from '../parts/scene_troubles.tsx';
 import { SimClient, worldOf } from '../parts/sim_client.ts';
 import { SimulationList } from '../parts/simulation_list.tsx';
 import { SimulationSelection } from '../parts/simulation_selection.tsx';
+import { SimulationToolbar } from '../parts/simulation_toolbar.tsx';
 import { useGraph, useTime, useTopics } from '../parts/watch.ts';
 import { useSimulation } from '../scene/use_simulation.ts';
 import type { Pressed, SimTool } from '../scene/use_simulation.ts';
@@ -27,16 +25,15 @@ import { texts } from '../texts.ts';
 import { simulationTexts } from '../texts_simulation.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostScans = 8;
-const kMostPictures = 50;
+const MOST_SCANS = 8;
+const MOST_PICTURES = 50;
 /** How long an answer stands over the picture. */
-const kSaidMs = 5000;
-const kSteps = 100;
+const SAID_MS = 5000;
 /** Metres per second. */
-const kPush = 1;
+const PUSH = 1;
 /** Objects are added this high above the ground, in metres. */
-const kDrop = 0.2;
-const kScan = 'sensor_msgs/msg/LaserScan';
+const DROP = 0.2;
+const SCAN = 'sensor_msgs/msg/LaserScan';
 
 export function SimulationPanel({ session, state, setState, announce }: PanelProps) {
   const options = useMemo(() => readSimulation(state), [state]);
@@ -62,7 +59,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
 
   useEffect(() => {
     if (said === '') return undefined;
-    const timer = setTimeout(() => setSaid(''), kSaidMs);
+    const timer = setTimeout(() => setSaid(''), SAID_MS);
     return () => clearTimeout(timer);
   }, [said]);
 
@@ -89,10 +86,15 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
     if (world.moves(pressed.frame)) client?.push(pressed.frame, pressed.local, away());
     else say(simulationTexts.unmoved(modelOf(pressed.frame)));
   };
-  const scans = topics.filter(({ type, name: topic }) => type === kScan && !isHiddenTopic(topic)).map(({ name: topic }) => topic).toSorted();
+  const scans = topics.filter(({ type, name: topic }) => type === SCAN && !isHiddenTopic(topic)).map(({ name: topic }) => topic).toSorted();
   const { canvas, veil, scene, world, pace, paused, problems } = useSimulation({
-    session, codec, client, options, tool, selected,
-    scans: scans.slice(0, kMostScans),
+    session,
+    codec,
+    client,
+    options,
+    tool,
+    selected,
+    scans: scans.slice(0, MOST_SCANS),
     onView: (view) => change({ view }),
     onPress: press,
     onLeaveTool: () => choose(null),
@@ -102,7 +104,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
   const away = (): Vector => {
     const ahead = scene?.stage.ahead();
     const flat = ahead === undefined ? 0 : Math.hypot(ahead.x, ahead.y);
-    return ahead === undefined || flat < 1e-3 ? [0, kPush, 0] : [(ahead.x / flat) * kPush, (ahead.y / flat) * kPush, 0];
+    return ahead === undefined || flat < 1e-3 ? [0, PUSH, 0] : [(ahead.x / flat) * PUSH, (ahead.y / flat) * PUSH, 0];
   };
   const { models } = world;
   const model = modelOf(selected);
@@ -122,22 +124,20 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
     const element = canvas.current;
     const [x, y] = (element === null ? null : scene?.stage.groundAt(element.clientWidth / 2, element.clientHeight / 2)) ?? [0, 0];
     const named = freeName(shape, new Set(models.map((one) => one.name)));
-    void order(client?.create(named, sdfOf(shape, named), [x, y, kSimShapeHeight + kDrop]), simulationTexts.added(named));
+    void order(client?.create(named, sdfOf(shape, named), [x, y, SIM_SHAPE_HEIGHT + DROP]), simulationTexts.added(named));
   };
   const remove = (): void => {
     if (model !== '') void order(client?.remove(model), simulationTexts.removed(model));
   };
 
-  const stands = paused === true;
   const seconds = pace === null ? '' : pace.time.toFixed(2);
-  const note = pace === null ? '' : stands ? simulationTexts.pausedAt(seconds) : simulationTexts.pace(seconds, pace.factor.toFixed(2));
+  const note = pace === null ? '' : paused === true ? simulationTexts.pausedAt(seconds) : simulationTexts.pace(seconds, pace.factor.toFixed(2));
   const hint = tool === 'drag' ? simulationTexts.dragHint : tool === 'push' ? simulationTexts.pushHint : '';
   const over = time.state === 'paused' ? simulationTexts.held : hint === '' ? said : hint;
-  const words = simulationTexts.short;
   const pictures = [...new Set([
     ...topics.filter(({ name: topic, type }) => isImage(type) && !isHiddenTopic(topic)).map(({ name: topic }) => topic).toSorted(),
     ...options.images.map(({ topic }) => topic),
-  ])].slice(0, kMostPictures);
+  ])].slice(0, MOST_PICTURES);
 
   return (
     <PanelFrame
@@ -146,81 +146,34 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
       icon="simulation"
       note={note}
       tools={
-        <>
-          <IconButton
-            icon={stands ? 'play' : 'pause'}
-            label={stands ? simulationTexts.play : simulationTexts.pause}
-            words={stands ? words.play : words.pause}
-            disabled={client === null}
-            onClick={() => void order(client?.control({ pause: !stands }), stands ? simulationTexts.running : simulationTexts.stands)}
-          />
-          <IconButton
-            icon="step"
-            label={simulationTexts.step}
-            words={words.step}
-            disabled={client === null}
-            onClick={() => void order(client?.control({ pause: true, multi_step: kSteps }), simulationTexts.stepped)}
-          />
-          <IconButton
-            icon="restart"
-            label={simulationTexts.reset}
-            words={words.reset}
-            disabled={client === null}
-            onClick={() => void order(client?.control({ pause: stands, reset: { all: true } }), simulationTexts.hasReset)}
-          />
-          <MenuButton
-            icon="plus"
-            label={simulationTexts.add}
-            words={words.add}
-            items={kSimShapes.map((shape) => ({ id: shape, words: simulationTexts.shapes[shape], disabled: client === null, choose: () => add(shape) }))}
-          />
-          {(['drag', 'push'] as const).map((one) => (
-            <IconButton
-              key={one}
-              icon={one === 'drag' ? 'hand' : 'push'}
-              label={simulationTexts[one]}
-              words={words[one]}
-              pressed={tool === one}
-              onClick={() => choose(tool === one ? null : one)}
-            />
-          ))}
-          <IconButton
-            icon="above"
-            label={simulationTexts.top}
-            words={words.top}
-            pressed={options.view.top}
-            onClick={() => change({ view: { ...options.view, top: !options.view.top } })}
-          />
-          <IconButton
-            icon="home"
-            label={simulationTexts.home}
-            words={words.home}
-            onClick={() => change({ view: { ...kUsualView, top: options.view.top }, follow: '' })}
-          />
-          <IconButton
-            icon="list"
-            label={simulationTexts.list}
-            words={words.list}
-            pressed={options.list}
-            onClick={() => change({ list: !options.list })}
-          />
-        </>
+        <SimulationToolbar
+          options={options}
+          change={change}
+          tool={tool}
+          choose={choose}
+          isPaused={paused === true}
+          isReady={client !== null}
+          control={(asked, done) => void order(client?.control(asked), done)}
+          add={add}
+        />
       }
     >
       {typeof codec === 'string' ? <p class="hint">{texts.topics.undecodable(codec)}</p> : null}
       {name === undefined ? <p class="hint">{simulationTexts.waiting}</p> : null}
       <div class="scene">
-        {options.list ? (
-          <SimulationList
-            models={models}
-            selected={selected}
-            select={select}
-            remove={remove}
-            flags={options.flags}
-            setFlag={(flag, on) => change({ flags: { ...latest.current.options.flags, [flag]: on } })}
-            pictures={{ topics: pictures, images: options.images, set: (images) => change({ images }) }}
-          />
-        ) : null}
+        {options.list
+          ? (
+            <SimulationList
+              models={models}
+              selected={selected}
+              select={select}
+              remove={remove}
+              flags={options.flags}
+              setFlag={(flag, on) => change({ flags: { ...latest.current.options.flags, [flag]: on } })}
+              pictures={{ topics: pictures, images: options.images, set: (images) => change({ images }) }}
+            />
+          )
+          : null}
         <div class="scene-stage">
           <canvas
             class={`scene-canvas ${tool === null ? '' : 'scene-tool'}`}
@@ -235,17 +188,21 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
           {ready === null || options.images.length === 0 ? null : (
             <SceneImages session={session} codec={ready} images={options.images} set={(images) => change({ images })} />
           )}
-          {chosen !== undefined ? (
-            <SimulationSelection
-              name={selected}
-              place={world.place(main)}
-              moves={world.moves(main)}
-              follows={options.follow === main}
-              follow={() => change({ follow: options.follow === main ? '' : main, view: { ...latest.current.options.view, target: [0, 0, 0] } })}
-              push={client === null ? null : () => client.push(main, [0, 0, 0], away())}
-              remove={remove}
-            />
-          ) : problems.length > 0 ? <SceneTroubles troubles={problems} /> : null}
+          {chosen !== undefined
+            ? (
+              <SimulationSelection
+                name={selected}
+                place={world.place(main)}
+                moves={world.moves(main)}
+                follows={options.follow === main}
+                follow={() => change({ follow: options.follow === main ? '' : main, view: { ...latest.current.options.view, target: [0, 0, 0] } })}
+                push={client === null ? null : () => client.push(main, [0, 0, 0], away())}
+                remove={remove}
+              />
+            )
+            : problems.length > 0
+            ? <SceneTroubles troubles={problems} />
+            : null}
         </div>
       </div>
     </PanelFrame>

@@ -27,12 +27,12 @@ import { texts } from '../texts.ts';
 import { sourceTexts } from '../texts_source.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostLine = 1_000_000;
-const kShownHash = 12;
+const MOST_LINE = 1_000_000;
+const SHOWN_HASH = 12;
 /** Lines of output below the editor. */
-const kShownLines = 6;
+const SHOWN_LINES = 6;
 /** After the last key: what is typed is kept then. */
-const kKeepMs = 300;
+const KEEP_MS = 300;
 
 export function SourcePanel(props: PanelProps) {
   const { sources } = props.session;
@@ -70,7 +70,7 @@ interface SourceFileProps extends PanelProps {
 function SourceFile({ session, state, setState, announce, sources, list }: SourceFileProps) {
   const nodes = useNodes(session);
   const wanted = textMember(state, 'file');
-  const line = numberMember(state, 'line', 1, kMostLine, 0);
+  const line = numberMember(state, 'line', 1, MOST_LINE, 0);
   const found = findSource(list, wanted);
   const first = list.find(({ file }) => !file.endsWith('__init__.py')) ?? list[0];
   const source = found ?? (wanted === '' ? first : undefined);
@@ -162,17 +162,19 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
         <SourceSearch sources={sources} list={list} wanted={search} onHit={(file, at) => setState({ file, line: at })} />
       )}
       {source === undefined ? <p class="hint">{sourceTexts.unknown(wanted)}</p> : null}
-      {source?.state === 'outdated' ? (
-        <div class="source-note">
-          <p>{sourceTexts.outdated}</p>
-          <button type="button" class="button" onClick={() => sources.change(source.path, sources.changed(source.path))}>
-            {sourceTexts.takeOver}
-          </button>
-          <button type="button" class="button" onClick={() => sources.change(source.path, undefined)}>
-            {sourceTexts.drop}
-          </button>
-        </div>
-      ) : null}
+      {source?.state === 'outdated'
+        ? (
+          <div class="source-note">
+            <p>{sourceTexts.outdated}</p>
+            <button type="button" class="button" onClick={() => sources.change(source.path, sources.changed(source.path))}>
+              {sourceTexts.takeOver}
+            </button>
+            <button type="button" class="button" onClick={() => sources.change(source.path, undefined)}>
+              {sourceTexts.drop}
+            </button>
+          </div>
+        )
+        : null}
       {packed.problem === null ? null : <ProblemView problem={packed.problem} announce={announce} />}
       {source === undefined || text === undefined ? null : (
         <SourceEditor
@@ -206,7 +208,7 @@ interface PackedTexts {
 /** The packed texts of what is shown and of what was changed, as far as they have come. */
 function usePacked(sources: Sources, list: readonly SourceView[], shown: SourceView | undefined): PackedTexts {
   const [found, setFound] = useState<ReadonlyMap<string, string>>(() => new Map());
-  const [problem, setProblem] = useState<{ readonly path: string; readonly problem: Problem } | null>(null);
+  const [problem, setProblem] = useState<{ readonly path: string; readonly problem: Problem; } | null>(null);
   const wanted = list.filter(({ path, state }) => state === 'changed' || path === shown?.path).map(({ path }) => path);
   const missing = wanted.filter((path) => !found.has(path)).join('\n');
   useEffect(() => {
@@ -246,7 +248,7 @@ interface SourceEditorProps {
   readonly trouble: number | null;
   /** Not at first: a page that is opened leaves the keyboard where it is. */
   readonly takesFocus: boolean;
-  readonly handle: { current: EditorHandle | null };
+  readonly handle: { current: EditorHandle | null; };
   readonly onLine: (line: number) => void;
   readonly onApply: () => void;
   readonly onUnkept: (unkept: boolean) => void;
@@ -303,7 +305,7 @@ function SourceEditor(props: SourceEditorProps) {
     const made = openCodeEditor(host.current, own(), sourceTexts.label(source.file), {
       changed: () => {
         clearTimeout(timer.current);
-        timer.current = setTimeout(keep, kKeepMs);
+        timer.current = setTimeout(keep, KEEP_MS);
         latest.current.onUnkept(true);
       },
       apply: () => latest.current.onApply(),
@@ -311,7 +313,7 @@ function SourceEditor(props: SourceEditorProps) {
         if (now === lineAt.current) return;
         lineAt.current = now;
         clearTimeout(lineTimer.current);
-        lineTimer.current = setTimeout(() => latest.current.onLine(now), kKeepMs);
+        lineTimer.current = setTimeout(() => latest.current.onLine(now), KEEP_MS);
       },
     });
     editor.current = made;
@@ -354,7 +356,7 @@ function SourceEditor(props: SourceEditorProps) {
 
 interface SourceRunProps {
   readonly outputs: readonly NodeOutput[];
-  readonly troubles: readonly (NodeTrouble & { readonly node: NodeView })[];
+  readonly troubles: readonly (NodeTrouble & { readonly node: NodeView; })[];
   readonly goTo: (line: number) => void;
 }
 
@@ -372,7 +374,7 @@ function SourceRun({ outputs, troubles, goTo }: SourceRunProps) {
       ))}
       {printed.map(({ node, lines }) => (
         <pre key={node.id} class="source-output" tabIndex={0} aria-label={sourceTexts.output(node.label)}>
-          {lines.slice(-kShownLines).map((text) => `${printed.length > 1 ? `[${node.label}] ` : ''}${stripAnsi(text)}`).join('\n')}
+          {lines.slice(-SHOWN_LINES).map((text) => `${printed.length > 1 ? `[${node.label}] ` : ''}${stripAnsi(text)}`).join('\n')}
         </pre>
       ))}
     </div>
@@ -405,11 +407,11 @@ function SourceFacts({ source, users, said }: SourceFactsProps) {
         <summary>{sourceTexts.more}</summary>
         <p>{`${sourceTexts.keys} ${sourceTexts.keptHere}`}</p>
         <p>
-          <span title={sha256}>{sourceTexts.packedHash(sha256.slice(0, kShownHash))}</span>
+          <span title={sha256}>{sourceTexts.packedHash(sha256.slice(0, SHOWN_HASH))}</span>
           {changedSha256 === undefined ? null : (
             <>
               {', '}
-              <span title={changedSha256}>{sourceTexts.changedHash(changedSha256.slice(0, kShownHash))}</span>
+              <span title={changedSha256}>{sourceTexts.changedHash(changedSha256.slice(0, SHOWN_HASH))}</span>
             </>
           )}
         </p>

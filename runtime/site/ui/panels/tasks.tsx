@@ -8,7 +8,7 @@ import { unreachable } from '../../contract/session.ts';
 import type { PageAction } from '../model/page_action.ts';
 import { siteDigest } from '../model/link.ts';
 import { problemOf } from '../model/problem.ts';
-import { kMostName } from '../model/progress_file.ts';
+import { MOST_NAME } from '../model/progress_file.ts';
 import { IconButton } from '../parts/button.tsx';
 import { CheckLine } from '../parts/check_line.tsx';
 import type { CheckLook } from '../parts/check_line.tsx';
@@ -27,7 +27,7 @@ import { taskTexts } from '../texts_tasks.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Paths in a task's text are relative to the manifest, as the site has its texts. */
-const kTextFile = 'text/tasks.md';
+const TEXT_FILE = 'text/tasks.md';
 
 export function TasksPanel({ session, store, announce, instance, open }: PanelProps) {
   const [, setVersion] = useState(0);
@@ -55,23 +55,25 @@ export function TasksPanel({ session, store, announce, instance, open }: PanelPr
       title={texts.panels.tasks}
       icon="check"
       note={tasks.length === 0 ? '' : taskTexts.doneOf(done, tasks.length)}
-      tools={
-        tasks.some(({ kept }) => kept.doneAt !== undefined || kept.hintAt !== undefined || kept.solutionAt !== undefined) ? (
+      tools={tasks.some(({ kept }) => kept.doneAt !== undefined || kept.hintAt !== undefined || kept.solutionAt !== undefined)
+        ? (
           <IconButton icon="restart" label={taskTexts.forget} onClick={() => setForgetting(!forgetting)} />
-        ) : undefined
-      }
+        )
+        : undefined}
     >
-      {forgetting ? (
-        <div class="task-forget" role="group" aria-label={taskTexts.forget}>
-          <p>{taskTexts.reallyForget}</p>
-          <button type="button" class="button" onClick={forget}>
-            {taskTexts.forgetNow}
-          </button>
-          <button type="button" class="button" onClick={() => setForgetting(false)}>
-            {taskTexts.keepIt}
-          </button>
-        </div>
-      ) : null}
+      {forgetting
+        ? (
+          <div class="task-forget" role="group" aria-label={taskTexts.forget}>
+            <p>{taskTexts.reallyForget}</p>
+            <button type="button" class="button" onClick={forget}>
+              {taskTexts.forgetNow}
+            </button>
+            <button type="button" class="button" onClick={() => setForgetting(false)}>
+              {taskTexts.keepIt}
+            </button>
+          </div>
+        )
+        : null}
       {tasks.length === 0 ? <p class="hint">{taskTexts.none}</p> : null}
       {tasks.length === 0 ? null : (
         <div class="tasks" role="group" aria-label={texts.panels.tasks} tabIndex={0}>
@@ -129,7 +131,7 @@ function HandIn({ session, desk, announce }: HandInProps) {
     <form class="task-hand-in" onSubmit={submit}>
       <label>
         {handInTexts.name}{' '}
-        <input type="text" class="field" value={name} maxLength={kMostName} autocomplete="name" onInput={(event) => setName(event.currentTarget.value)} />
+        <input type="text" class="field" value={name} maxLength={MOST_NAME} autocomplete="name" onInput={(event) => setName(event.currentTarget.value)} />
       </label>
       <button type="submit" class="button">
         {handInTexts.save}
@@ -152,7 +154,7 @@ function TaskRow({ task, number, instance, files, act, reveal }: TaskRowProps) {
   const { title, checks, kept } = task;
   const done = kept.doneAt !== undefined;
   const markdown = (text: string, part: string): ComponentChildren => (
-    <MarkdownView text={text} file={kTextFile} files={files} instance={`${instance}-${part}`} act={act} />
+    <MarkdownView text={text} file={TEXT_FILE} files={files} instance={`${instance}-${part}`} act={act} />
   );
   const text = useMemo(() => markdown(task.text, 'text'), [task.text, files, instance, act]);
   return (
@@ -198,10 +200,9 @@ interface AidProps {
 function Aid({ task, kind, text, reveal, children }: AidProps) {
   const [shown, setShown] = useState(false);
   if (text === '') return null;
-  const [show, hide, name] =
-    kind === 'hint'
-      ? [taskTexts.showHint, taskTexts.hideHint, taskTexts.hint]
-      : [taskTexts.showSolution, taskTexts.hideSolution, taskTexts.solution];
+  const [show, hide, name] = kind === 'hint'
+    ? [taskTexts.showHint, taskTexts.hideHint, taskTexts.hint]
+    : [taskTexts.showSolution, taskTexts.hideSolution, taskTexts.solution];
   const press = (): void => {
     if (!shown) reveal();
     setShown(!shown);
@@ -217,16 +218,18 @@ function Aid({ task, kind, text, reveal, children }: AidProps) {
       >
         {shown ? hide : show}
       </button>
-      {shown ? (
-        <div class="text task-text" role="group" aria-label={taskTexts.of(name, task)}>
-          {children(text)}
-        </div>
-      ) : null}
+      {shown
+        ? (
+          <div class="text task-text" role="group" aria-label={taskTexts.of(name, task)}>
+            {children(text)}
+          </div>
+        )
+        : null}
     </div>
   );
 }
 
-function CheckRow({ view, done }: { readonly view: TaskCheckView; readonly done: boolean }) {
+function CheckRow({ view, done }: { readonly view: TaskCheckView; readonly done: boolean; }) {
   return (
     <CheckLine
       kind={`task-check check-${view.state}`}

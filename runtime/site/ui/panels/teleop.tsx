@@ -4,7 +4,7 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { expandName } from '../../decode/ros_names.ts';
 import { flagMember, member, numberMember, textMember } from '../model/json.ts';
-import { driveTopics, isRest, kRest, kTwist, kTwistStamped, padStick, sumOf } from '../model/twist.ts';
+import { driveTopics, isRest, REST, TWIST, TWIST_STAMPED, padStick, sumOf } from '../model/twist.ts';
 import type { Stick } from '../model/twist.ts';
 import { DrivePad } from '../parts/drive_pad.tsx';
 import { useCodec } from '../parts/message_feed.ts';
@@ -17,28 +17,28 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostSpeed = 1000;
-const kLeastRate = 0.1;
-const kMostRate = 200;
-const kMostName = 300;
+const MOST_SPEED = 1000;
+const LEAST_RATE = 0.1;
+const MOST_RATE = 200;
+const MOST_NAME = 300;
 
 export function TeleopPanel({ session, state, setState, instance }: PanelProps) {
   const graph = useGraph(session);
   const drives = useMemo(() => driveTopics(graph), [graph]);
   const codec = useCodec(session);
-  const written = fullName(textMember(state, 'topic').slice(0, kMostName));
+  const written = fullName(textMember(state, 'topic').slice(0, MOST_NAME));
   const topic = written !== '' ? written : (drives[0]?.name ?? '/cmd_vel');
   const waiting = drives.filter(({ name }) => name === topic);
   const stamped = typeof member(state, 'stamped') === 'boolean' ? flagMember(state, 'stamped', false) : waiting[0]?.stamped === true;
-  const frame = textMember(state, 'frame').slice(0, kMostName);
-  const linear = numberMember(state, 'linear', 0, kMostSpeed, 0.5);
-  const angular = numberMember(state, 'angular', 0, kMostSpeed, 1);
-  const rate = numberMember(state, 'rate', kLeastRate, kMostRate, 10);
+  const frame = textMember(state, 'frame').slice(0, MOST_NAME);
+  const linear = numberMember(state, 'linear', 0, MOST_SPEED, 0.5);
+  const angular = numberMember(state, 'angular', 0, MOST_SPEED, 1);
+  const rate = numberMember(state, 'rate', LEAST_RATE, MOST_RATE, 10);
   const usesPad = flagMember(state, 'gamepad', true);
   const [problem, setProblem] = useState('');
   /** The text that is being typed as topic, but is not the topic yet. */
   const [typed, setTyped] = useState<string | undefined>(undefined);
-  const [shown, setShown] = useState<Stick>(kRest);
+  const [shown, setShown] = useState<Stick>(REST);
   const sender = useRef<TwistSender | null>(null);
   const held = useRef(new Map<string, Stick>());
   const ready = codec !== null && typeof codec !== 'string';
@@ -47,7 +47,12 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     setState({
       ...(written === '' ? {} : { topic: written }),
       ...(typeof member(state, 'stamped') === 'boolean' ? { stamped } : {}),
-      frame, linear, angular, rate, gamepad: usesPad, ...next,
+      frame,
+      linear,
+      angular,
+      rate,
+      gamepad: usesPad,
+      ...next,
     });
   const tell = (): void => {
     const now = sumOf(held.current.values());
@@ -100,7 +105,7 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     sender.current?.open();
     pin();
   };
-  const type = stamped ? kTwistStamped : kTwist;
+  const type = stamped ? TWIST_STAMPED : TWIST;
   const heard = waiting.some((each) => each.stamped === stamped);
   return (
     <PanelFrame id="teleop" title={texts.panels.teleop} icon="drive">
@@ -143,21 +148,21 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
           label={panelTexts.teleop.linear}
           value={linear}
           least={0}
-          most={kMostSpeed}
+          most={MOST_SPEED}
           onNumber={(value) => change({ linear: value })}
         />
         <NumberField
           label={panelTexts.teleop.angular}
           value={angular}
           least={0}
-          most={kMostSpeed}
+          most={MOST_SPEED}
           onNumber={(value) => change({ angular: value })}
         />
         <NumberField
           label={panelTexts.publish.rate}
           value={rate}
-          least={kLeastRate}
-          most={kMostRate}
+          least={LEAST_RATE}
+          most={MOST_RATE}
           onNumber={(value) => change({ rate: value })}
         />
         <div class="work-row">
@@ -170,20 +175,22 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
             {pad === '' ? panelTexts.teleop.gamepad : panelTexts.teleop.gamepadOf(pad)}
           </label>
         </div>
-        {stamped ? (
-          <label class="editor-field">
-            <span class="editor-name">{panelTexts.teleop.frame}</span>
-            <input
-              type="text"
-              class="field"
-              value={frame}
-              autocomplete="off"
-              autocapitalize="off"
-              spellcheck={false}
-              onChange={(event) => change({ frame: event.currentTarget.value })}
-            />
-          </label>
-        ) : null}
+        {stamped
+          ? (
+            <label class="editor-field">
+              <span class="editor-name">{panelTexts.teleop.frame}</span>
+              <input
+                type="text"
+                class="field"
+                value={frame}
+                autocomplete="off"
+                autocapitalize="off"
+                spellcheck={false}
+                onChange={(event) => change({ frame: event.currentTarget.value })}
+              />
+            </label>
+          )
+          : null}
       </div>
     </PanelFrame>
   );
@@ -209,12 +216,12 @@ function useGamepad(used: boolean, tell: (stick: Stick) => void): string {
   newest.current = tell;
   useEffect(() => {
     let frame = 0;
-    let last: Stick = kRest;
+    let last: Stick = REST;
     const look = (): void => {
       frame = 0;
       const pad = firstGamepad();
       setName(pad?.id ?? '');
-      const stick = pad !== null && used && document.hasFocus() ? padStick(pad) : kRest;
+      const stick = pad !== null && used && document.hasFocus() ? padStick(pad) : REST;
       if (!(isRest(stick) && isRest(last))) newest.current(stick);
       last = stick;
       if (pad !== null && used) frame = requestAnimationFrame(look);
@@ -229,7 +236,7 @@ function useGamepad(used: boolean, tell: (stick: Stick) => void): string {
       cancelAnimationFrame(frame);
       window.removeEventListener('gamepadconnected', begin);
       window.removeEventListener('gamepaddisconnected', begin);
-      if (!isRest(last)) newest.current(kRest);
+      if (!isRest(last)) newest.current(REST);
     };
   }, [used]);
   return name;

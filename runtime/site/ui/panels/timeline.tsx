@@ -15,9 +15,9 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostPaths = 16;
-const kRedrawMs = 100;
-const kSeconds = [5, 10, 30, 60, 300, 3600] as const;
+const MOST_PATHS = 16;
+const REDRAW_MS = 100;
+const SECONDS = [5, 10, 30, 60, 300, 3600] as const;
 
 interface Row {
   readonly track: StateTrack;
@@ -25,7 +25,7 @@ interface Row {
 }
 
 export function TimelinePanel({ session, state, setState, instance }: PanelProps) {
-  const paths = useMemo(() => [...new Set(textsMember(state, 'paths', kMostPaths))], [state]);
+  const paths = useMemo(() => [...new Set(textsMember(state, 'paths', MOST_PATHS))], [state]);
   const seconds = numberMember(state, 'seconds', 1, 86_400, 30);
   const codec = useCodec(session);
   const rows = useRef(new Map<string, Row>());
@@ -56,7 +56,7 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
       isNew: (path) => rowOf(path).track.last === '',
     });
   }, [session, codec, paths.join('\n')]);
-  useEvery(kRedrawMs, redraw);
+  useEvery(REDRAW_MS, redraw);
 
   const end = held ?? session.time.view().now / 1000;
   const least = Number.isNaN(begin.current) ? end - seconds : Math.max(begin.current, end - seconds);
@@ -76,11 +76,9 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
             class="select"
             aria-label={panelTexts.plot.range}
             value={String(seconds)}
-            onChange={(event) =>
-              setState({ paths: [...paths], seconds: Number(event.currentTarget.value) })
-            }
+            onChange={(event) => setState({ paths: [...paths], seconds: Number(event.currentTarget.value) })}
           >
-            {(kSeconds.some((one) => one === seconds) ? kSeconds : [...kSeconds, seconds]).map(
+            {(SECONDS.some((one) => one === seconds) ? SECONDS : [...SECONDS, seconds]).map(
               (one) => (
                 <option value={String(one)}>{panelTexts.plot.last(one)}</option>
               ),

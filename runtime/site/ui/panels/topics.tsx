@@ -19,9 +19,9 @@ import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** A filter is worth its room from this many topics on. */
-const kFilterFrom = 8;
+const FILTER_FROM = 8;
 
-const kNobody: readonly TopicEnd[] = [];
+const NOBODY: readonly TopicEnd[] = [];
 
 export function TopicsPanel({ session, store, announce, state, setState, open }: PanelProps) {
   const topics = useTopics(session);
@@ -44,8 +44,8 @@ export function TopicsPanel({ session, store, announce, state, setState, open }:
   const shown = allowed
     .filter(
       (topic) =>
-        topic.name.toLowerCase().includes(text.toLowerCase()) ||
-        topic.type.toLowerCase().includes(text.toLowerCase()),
+        topic.name.toLowerCase().includes(text.toLowerCase())
+        || topic.type.toLowerCase().includes(text.toLowerCase()),
     )
     .toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const toggle = (name: string): void => {
@@ -56,12 +56,11 @@ export function TopicsPanel({ session, store, announce, state, setState, open }:
     setOpened(next);
   };
 
-  const empty =
-    topics.length === 0
-      ? texts.topics.none
-      : allowed.length === 0
-        ? texts.topics.noneShown
-        : texts.topics.noneMatch;
+  const empty = topics.length === 0
+    ? texts.topics.none
+    : allowed.length === 0
+    ? texts.topics.noneShown
+    : texts.topics.noneMatch;
   const tools = (
     <>
       <label class="check" title={texts.topics.hidden}>
@@ -76,7 +75,7 @@ export function TopicsPanel({ session, store, announce, state, setState, open }:
         />
         <span aria-hidden="true">{texts.topics.hiddenShort}</span>
       </label>
-      {allowed.length < kFilterFrom && text === '' ? null : (
+      {allowed.length < FILTER_FROM && text === '' ? null : (
         <SearchField value={text} label={texts.topics.filter} onText={setText} />
       )}
     </>
@@ -95,7 +94,7 @@ export function TopicsPanel({ session, store, announce, state, setState, open }:
           <TopicRow
             key={topic.name}
             topic={topic}
-            ends={ends.get(topic.name) ?? kNobody}
+            ends={ends.get(topic.name) ?? NOBODY}
             open={opened.has(topic.name)}
             asked={topic.name === asked}
             onToggle={() => toggle(topic.name)}
@@ -133,22 +132,22 @@ function TopicRow({ topic, ends, open, asked, onToggle, session, announce, openP
       )}
       <span class="topic-ends">
         <span class="visually-hidden">
-          {texts.topics.publishers(topic.publishers)},{' '}
-          {texts.topics.subscriptions(topic.subscriptions)}
+          {texts.topics.publishers(topic.publishers)}, {texts.topics.subscriptions(topic.subscriptions)}
         </span>
         <span aria-hidden="true">
-          {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions}{' '}
-          {texts.topics.subscriptionsShort}
+          {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions} {texts.topics.subscriptionsShort}
         </span>
       </span>
     </>
   );
   const inside = () =>
-    code === null ? (
-      <p class="hint">{texts.topics.decoding}</p>
-    ) : (
-      <code.TopicInside topic={topic} ends={ends} misfits={misfits} session={session} announce={announce} open={openPanel} />
-    );
+    code === null
+      ? (
+        <p class="hint">{texts.topics.decoding}</p>
+      )
+      : (
+        <code.TopicInside topic={topic} ends={ends} misfits={misfits} session={session} announce={announce} open={openPanel} />
+      );
   return (
     <GraphRow
       id={`topic-${encodeURIComponent(topic.name)}`}

@@ -18,14 +18,14 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kSceneType = 'turtlesim_scene/msg/Scene';
-const kPictureType = 'turtlesim_scene/srv/GetPicture';
-const kSceneTopic = '/_scene';
+const SCENE_TYPE = 'turtlesim_scene/msg/Scene';
+const PICTURE_TYPE = 'turtlesim_scene/srv/GetPicture';
+const SCENE_TOPIC = '/_scene';
 /** Words for those who do not see the drawing come no more often than this. */
-const kWordsMs = 500;
+const WORDS_MS = 500;
 
 export function TurtlesimPanel({ session, state, setState }: PanelProps) {
-  const topics = useTopics(session).filter((topic) => topic.type === kSceneType);
+  const topics = useTopics(session).filter((topic) => topic.type === SCENE_TYPE);
   const nodes = topics.map((topic) => nodeOf(topic.name)).toSorted();
   const asked = textMember(state, 'node');
   const running = topics.filter((topic) => topic.publishers > 0).map((topic) => nodeOf(topic.name));
@@ -59,8 +59,8 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
     setTurtles([]);
     setProblem('');
     let known = '';
-    const stop = feed(session, ready, `${node}${kSceneTopic}`, ({ decoded, type, gid }) => {
-      const scene = decoded.kind === 'failed' || type !== kSceneType ? null : readScene(decoded.value);
+    const stop = feed(session, ready, `${node}${SCENE_TOPIC}`, ({ decoded, type, gid }) => {
+      const scene = decoded.kind === 'failed' || type !== SCENE_TYPE ? null : readScene(decoded.value);
       if (scene === null) {
         setProblem(panelTexts.turtlesim.noScene);
         return;
@@ -106,25 +106,23 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
       title={texts.panels.turtlesim}
       icon="turtle"
       note={gone && turtles.length > 0 ? panelTexts.turtlesim.gone : ''}
-      tools={
-        node === '' ? null : (
-          <>
-            {nodes.length < 2 && nodes.includes(node) ? null : (
-              <Choice
-                label={panelTexts.turtlesim.simulator}
-                value={node}
-                values={[...new Set([...nodes, node])]}
-                onChange={(name) => setState({ node: name })}
-              />
-            )}
-            {turtles.length < 2 ? null : (
-              <Choice label={panelTexts.turtlesim.driven} value={turtle} values={turtles} onChange={choose} />
-            )}
-            <IconButton icon="clear" label={panelTexts.turtlesim.clear} onClick={() => call('clear')} />
-            <IconButton icon="restart" label={panelTexts.turtlesim.reset} onClick={() => call('reset')} />
-          </>
-        )
-      }
+      tools={node === '' ? null : (
+        <>
+          {nodes.length < 2 && nodes.includes(node) ? null : (
+            <Choice
+              label={panelTexts.turtlesim.simulator}
+              value={node}
+              values={[...new Set([...nodes, node])]}
+              onChange={(name) => setState({ node: name })}
+            />
+          )}
+          {turtles.length < 2 ? null : (
+            <Choice label={panelTexts.turtlesim.driven} value={turtle} values={turtles} onChange={choose} />
+          )}
+          <IconButton icon="clear" label={panelTexts.turtlesim.clear} onClick={() => call('clear')} />
+          <IconButton icon="restart" label={panelTexts.turtlesim.reset} onClick={() => call('reset')} />
+        </>
+      )}
     >
       {node === '' ? <p class="hint">{panelTexts.turtlesim.none}</p> : null}
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
@@ -146,11 +144,15 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
         </div>
         <div class="turtle-bar">
           <TurtlePad drive={drive} turtle={turtle} />
-          {said !== '' ? (
-            <p class="hint">{said}</p>
-          ) : turtle === '' ? null : (
-            <p class="hint turtle-keys">{panelTexts.turtlesim.keys(turtle)}</p>
-          )}
+          {said !== ''
+            ? (
+              <p class="hint">{said}</p>
+            )
+            : turtle === ''
+            ? null
+            : (
+              <p class="hint turtle-keys">{panelTexts.turtlesim.keys(turtle)}</p>
+            )}
         </div>
       </div>
     </PanelFrame>
@@ -201,14 +203,14 @@ class Words {
     this.next = panelTexts.turtlesim.shows(
       node,
       scene.turtles.slice(0, 10).map(({ name, x, y, theta }) =>
-        panelTexts.turtlesim.turtle(name, x.toFixed(1), y.toFixed(1), String(Math.round((theta * 180) / Math.PI) + 0)),
+        panelTexts.turtlesim.turtle(name, x.toFixed(1), y.toFixed(1), String(Math.round((theta * 180) / Math.PI) + 0))
       ),
       scene.turtles.length,
     );
     this.timer ??= setTimeout(() => {
       this.timer = undefined;
       this.say(this.next);
-    }, kWordsMs);
+    }, WORDS_MS);
   }
 
   close(): void {
@@ -218,7 +220,7 @@ class Words {
 
 /** `/turtlesim/_scene` is that of /turtlesim. */
 function nodeOf(topic: string): string {
-  return topic.endsWith(kSceneTopic) ? topic.slice(0, -kSceneTopic.length) : topic;
+  return topic.endsWith(SCENE_TOPIC) ? topic.slice(0, -SCENE_TOPIC.length) : topic;
 }
 
 async function callEmpty(session: Session, codec: Codec, service: string): Promise<void> {
@@ -227,8 +229,8 @@ async function callEmpty(session: Session, codec: Codec, service: string): Promi
 
 async function pictureOf(session: Session, codec: Codec, node: string): Promise<Picture | null> {
   const reply = codec.decode(
-    `${kPictureType}_Response`,
-    await ask(session, codec, `${node}/_get_picture`, kPictureType),
+    `${PICTURE_TYPE}_Response`,
+    await ask(session, codec, `${node}/_get_picture`, PICTURE_TYPE),
   );
   return reply.kind === 'failed' ? null : readPicture(reply.value);
 }

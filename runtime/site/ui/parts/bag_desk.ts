@@ -13,7 +13,7 @@ import type { Session, Unsubscribe } from '../../contract/session.ts';
 import { type Problem, problemOf } from '../model/problem.ts';
 
 /** Parts of a recording are given to the browser at this size, which keeps them outside of the page's memory. */
-const kPartBytes = 4 << 20;
+const PART_BYTES = 4 << 20;
 
 export interface ShelfBag {
   readonly name: string;
@@ -38,7 +38,7 @@ export class BlobSink implements BagSink {
   write(bytes: Uint8Array<ArrayBuffer>): void {
     this.parts.push(bytes);
     this.size += bytes.length;
-    if (this.size >= kPartBytes) this.pack();
+    if (this.size >= PART_BYTES) this.pack();
   }
 
   blob(): Blob {
@@ -72,8 +72,10 @@ export class BagDesk {
     const listed = session.site.ui['bags'];
     const paths = Array.isArray(listed) ? listed.filter((path): path is string => typeof path === 'string') : [];
     this.shelf = paths.map((path) => ({
-      name: path.split('/').at(-1) ?? path, origin: 'site',
-      size: session.site.files.find((file) => file.path === path)?.size ?? 0, content: () => fetchFile(path),
+      name: path.split('/').at(-1) ?? path,
+      origin: 'site',
+      size: session.site.files.find((file) => file.path === path)?.size ?? 0,
+      content: () => fetchFile(path),
     }));
     // As long as the session: a desk ends with it.
     session.written.onChange(() => this.takeWritten());
@@ -115,7 +117,9 @@ export class BagDesk {
     const sink = new BlobSink();
     try {
       this.recorder = await Recorder.begin(this.session, sink, {
-        wants, onTopic: this.changed, onEnd: (problem) => void this.stopRecording().then(() => this.fail(problem)),
+        wants,
+        onTopic: this.changed,
+        onEnd: (problem) => void this.stopRecording().then(() => this.fail(problem)),
       });
       this.sink = sink;
       this.changed();
@@ -234,7 +238,8 @@ export function bagDesk(session: Session): BagDesk {
 
 export function blobSource(name: string, blob: Blob): BagSource {
   return {
-    name, size: blob.size,
+    name,
+    size: blob.size,
     read: async (from, length) => new Uint8Array(await blob.slice(from, from + length).arrayBuffer()),
   };
 }

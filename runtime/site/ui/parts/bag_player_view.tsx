@@ -11,10 +11,10 @@ import { IconButton } from './button.tsx';
 import { Name } from './name.tsx';
 import { ProblemView } from './problem_view.tsx';
 
-export const kRates: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+export const RATES: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 /** Steps of the slider. */
-const kSteps = 1000;
-const kClockHz = 40;
+const STEPS = 1000;
+const CLOCK_HZ = 40;
 
 interface Options {
   readonly loop: boolean;
@@ -26,7 +26,7 @@ export interface BagPlayerProps {
   readonly session: Session;
   readonly player: BagPlayer;
   readonly options: Options;
-  readonly change: (some: Partial<Options & { play: boolean }>) => void;
+  readonly change: (some: Partial<Options & { play: boolean; }>) => void;
   readonly announce: (text: string) => void;
 }
 
@@ -43,7 +43,7 @@ export function BagPlayerView({ session, player, options, change, announce }: Ba
   const place = Number(player.place() - bag.start) / 1e6;
   const held = playing && session.time.view().state === 'paused';
   const at = words.at(timeOf(place), timeOf(whole));
-  const rates = kRates.includes(options.rate) ? kRates : [...kRates, options.rate].sort((a, b) => a - b);
+  const rates = RATES.includes(options.rate) ? RATES : [...RATES, options.rate].sort((a, b) => a - b);
   return (
     <section class="bag-player" aria-label={words.player(bag.name)}>
       <p class="bag-facts">
@@ -67,13 +67,13 @@ export function BagPlayerView({ session, player, options, change, announce }: Ba
           type="range"
           class="bag-slider"
           min={0}
-          max={kSteps}
+          max={STEPS}
           aria-label={words.place}
           aria-valuetext={at}
-          value={whole === 0 ? 0 : Math.round((place / whole) * kSteps)}
+          value={whole === 0 ? 0 : Math.round((place / whole) * STEPS)}
           onInput={(event) => {
             const share = Number(event.currentTarget.value);
-            player.seek(bag.start + ((bag.end - bag.start) * BigInt(share)) / BigInt(kSteps));
+            player.seek(bag.start + ((bag.end - bag.start) * BigInt(share)) / BigInt(STEPS));
           }}
         />
         <span class="bag-time">{at}</span>
@@ -112,7 +112,7 @@ export function BagPlayerView({ session, player, options, change, announce }: Ba
             onChange={(event) => {
               const clock = event.currentTarget.checked;
               change({ clock });
-              player.set({ clockHz: clock ? kClockHz : 0 });
+              player.set({ clockHz: clock ? CLOCK_HZ : 0 });
             }}
           />
           {words.clock}
@@ -126,7 +126,7 @@ export function BagPlayerView({ session, player, options, change, announce }: Ba
   );
 }
 
-function TopicTable({ player }: { readonly player: BagPlayer }) {
+function TopicTable({ player }: { readonly player: BagPlayer; }) {
   const { bag } = player;
   const [chosen, setChosen] = useState<readonly string[]>(() => playable(bag));
   const [names, setNames] = useState<ReadonlyMap<string, string>>(new Map());
@@ -156,23 +156,25 @@ function TopicTable({ player }: { readonly player: BagPlayer }) {
             <Name text={topic} />
           </label>
           <span class="bag-facts">{can.has(topic) ? `${type}, ${words.messages(formatCount(count))}` : words.unplayable}</span>
-          {can.has(topic) ? (
-            <span class="bag-as">
-              <span class="bag-facts" aria-hidden="true">
-                {words.asShort}
+          {can.has(topic)
+            ? (
+              <span class="bag-as">
+                <span class="bag-facts" aria-hidden="true">
+                  {words.asShort}
+                </span>
+                <input
+                  type="text"
+                  class="field"
+                  aria-label={words.as(topic)}
+                  value={names.get(topic) ?? topic}
+                  autocomplete="off"
+                  autocapitalize="off"
+                  spellcheck={false}
+                  onChange={(event) => rename(topic, event.currentTarget.value.trim())}
+                />
               </span>
-              <input
-                type="text"
-                class="field"
-                aria-label={words.as(topic)}
-                value={names.get(topic) ?? topic}
-                autocomplete="off"
-                autocapitalize="off"
-                spellcheck={false}
-                onChange={(event) => rename(topic, event.currentTarget.value.trim())}
-              />
-            </span>
-          ) : null}
+            )
+            : null}
         </li>
       ))}
     </ul>

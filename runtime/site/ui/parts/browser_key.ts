@@ -3,10 +3,10 @@
 
 import { openDatabase } from './browser_database.ts';
 
-const kDatabase = 'ros2wasm-keys';
-const kStore = 'keys';
-const kName = 'progress';
-const kAlgorithm = 'Ed25519';
+const DATABASE = 'ros2wasm-keys';
+const STORE = 'keys';
+const NAME = 'progress';
+const ALGORITHM = 'Ed25519';
 
 export interface BrowserKey {
   /** 32 bytes. */
@@ -27,7 +27,7 @@ export async function browserKey(): Promise<BrowserKey | NoKey> {
   if (known !== null) return keyOf(subtle, known, true);
   let made: CryptoKeyPair;
   try {
-    const pair = await subtle.generateKey(kAlgorithm, false, ['sign', 'verify']);
+    const pair = await subtle.generateKey(ALGORITHM, false, ['sign', 'verify']);
     if (!('privateKey' in pair)) return 'unsupported';
     made = pair;
   } catch {
@@ -41,7 +41,7 @@ export async function browserKey(): Promise<BrowserKey | NoKey> {
 async function keyOf(subtle: SubtleCrypto, pair: CryptoKeyPair, kept: boolean): Promise<BrowserKey> {
   return {
     publicKey: new Uint8Array(await subtle.exportKey('raw', pair.publicKey)),
-    sign: async (bytes) => new Uint8Array(await subtle.sign(kAlgorithm, pair.privateKey, bytes)),
+    sign: async (bytes) => new Uint8Array(await subtle.sign(ALGORITHM, pair.privateKey, bytes)),
     kept,
   };
 }
@@ -50,8 +50,7 @@ async function keyOf(subtle: SubtleCrypto, pair: CryptoKeyPair, kept: boolean): 
 function isPair(value: unknown): value is CryptoKeyPair {
   if (typeof value !== 'object' || value === null) return false;
   const { privateKey, publicKey } = value as Readonly<Record<string, unknown>>;
-  const fits = (key: unknown, usage: KeyUsage): boolean =>
-    key instanceof CryptoKey && key.algorithm.name === kAlgorithm && key.usages.includes(usage);
+  const fits = (key: unknown, usage: KeyUsage): boolean => key instanceof CryptoKey && key.algorithm.name === ALGORITHM && key.usages.includes(usage);
   return fits(privateKey, 'sign') && fits(publicKey, 'verify') && !(privateKey as CryptoKey).extractable;
 }
 
@@ -62,23 +61,23 @@ async function keptPair(): Promise<CryptoKeyPair | null> {
 
 /** The pair that is stored afterwards: this one, or one that was there already. null: the browser stores nothing. */
 async function keepPair(pair: CryptoKeyPair): Promise<CryptoKeyPair | null> {
-  return inStore('readwrite', (store) => void store.put(pair, kName)).then((before) => before ?? keptPair());
+  return inStore('readwrite', (store) => void store.put(pair, NAME)).then((before) => before ?? keptPair());
 }
 
 /** Gives the pair that is there; `otherwise` runs in the same transaction when there is none. */
 async function inStore(mode: IDBTransactionMode, otherwise: (store: IDBObjectStore) => void): Promise<CryptoKeyPair | null> {
   let database: IDBDatabase;
   try {
-    database = await openDatabase(kDatabase, kStore);
+    database = await openDatabase(DATABASE, STORE);
   } catch {
     return null;
   }
   try {
     return await new Promise<CryptoKeyPair | null>((resolve) => {
-      const transaction = database.transaction(kStore, mode);
-      const store = transaction.objectStore(kStore);
+      const transaction = database.transaction(STORE, mode);
+      const store = transaction.objectStore(STORE);
       let found: CryptoKeyPair | null = null;
-      const request = store.get(kName) as IDBRequest<unknown>;
+      const request = store.get(NAME) as IDBRequest<unknown>;
       request.onsuccess = () => {
         if (isPair(request.result)) found = request.result;
         else otherwise(store);

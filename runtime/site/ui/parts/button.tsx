@@ -45,7 +45,7 @@ export function IconButton({
   );
 }
 
-export function IconWords({ words }: { readonly words: string | undefined }) {
+export function IconWords({ words }: { readonly words: string | undefined; }) {
   return words === undefined ? null : <span class="icon-words">{words}</span>;
 }
 

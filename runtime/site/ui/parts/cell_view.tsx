@@ -53,34 +53,42 @@ export function CellView(props: CellProps) {
   return (
     <div class={`cell cell-${cell.kind} ${current ? 'cell-current' : ''}`} role="group" aria-label={name} onFocusIn={current ? undefined : props.onFocus}>
       <div class="cell-side">
-        {cell.kind === 'code' ? (
-          <>
-            <IconButton icon="play" label={words.run} disabled={state !== 'rest'} onClick={() => run(false)} />
-            <span class="cell-count">{state === 'rest' ? (cell.count === null ? '[ ]' : `[${cell.count}]`) : words.counts[state]}</span>
-          </>
-        ) : null}
-        {isText ? (
-          <IconButton icon={reads ? 'edit' : 'check'} label={reads ? words.edit : words.done} onClick={() => setEditing(reads)} />
-        ) : null}
+        {cell.kind === 'code'
+          ? (
+            <>
+              <IconButton icon="play" label={words.run} disabled={state !== 'rest'} onClick={() => run(false)} />
+              <span class="cell-count">{state === 'rest' ? (cell.count === null ? '[ ]' : `[${cell.count}]`) : words.counts[state]}</span>
+            </>
+          )
+          : null}
+        {isText
+          ? (
+            <IconButton icon={reads ? 'edit' : 'check'} label={reads ? words.edit : words.done} onClick={() => setEditing(reads)} />
+          )
+          : null}
       </div>
       <div class="cell-body" ref={body} tabIndex={-1}>
-        {reads ? (
-          <CellText {...props} onEdit={() => setEditing(true)} />
-        ) : near.near || focused ? (
-          <CellEditor
-            source={cell.source}
-            python={cell.kind === 'code'}
-            label={name}
-            focused={focused || editing}
-            onChange={(source) => store.setSource(cell.key, source)}
-            onRun={run}
-            onFocus={props.onFocus}
-          />
-        ) : (
-          <pre class="cell-far" ref={near.ref}>
+        {reads
+          ? (
+            <CellText {...props} onEdit={() => setEditing(true)} />
+          )
+          : near.near || focused
+          ? (
+            <CellEditor
+              source={cell.source}
+              python={cell.kind === 'code'}
+              label={name}
+              focused={focused || editing}
+              onChange={(source) => store.setSource(cell.key, source)}
+              onRun={run}
+              onFocus={props.onFocus}
+            />
+          )
+          : (
+            <pre class="cell-far" ref={near.ref}>
             {cell.source}
-          </pre>
-        )}
+            </pre>
+          )}
         {asks === null ? null : <Question prompt={asks} answer={(text) => store.answer(text)} />}
         {cell.outputs.length === 0 ? null : (
           <div class="outputs" role="group" aria-label={words.output(number)} tabIndex={0}>
@@ -106,20 +114,22 @@ function menu({ cell, place, store }: CellProps): readonly MenuItem[] {
   ];
 }
 
-function CellText({ cell, instance, file, files, onEdit }: CellProps & { readonly onEdit: () => void }) {
+function CellText({ cell, instance, file, files, onEdit }: CellProps & { readonly onEdit: () => void; }) {
   const paths = useMemo(() => new Set(files.map(({ path }) => path)), [files]);
   return (
     <div class="text cell-text" onDblClick={onEdit}>
-      {cell.source.trim() === '' ? (
-        <p class="hint">{words.empty}</p>
-      ) : (
-        <MarkdownView text={cell.source} file={file} files={paths} instance={instance} act={() => undefined} />
-      )}
+      {cell.source.trim() === ''
+        ? (
+          <p class="hint">{words.empty}</p>
+        )
+        : (
+          <MarkdownView text={cell.source} file={file} files={paths} instance={instance} act={() => undefined} />
+        )}
     </div>
   );
 }
 
-function Question({ prompt, answer }: { readonly prompt: string; readonly answer: (text: string) => void }) {
+function Question({ prompt, answer }: { readonly prompt: string; readonly answer: (text: string) => void; }) {
   const [text, setText] = useState('');
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => field.current?.focus(), []);
@@ -143,7 +153,7 @@ function Question({ prompt, answer }: { readonly prompt: string; readonly answer
 }
 
 /** Whether an element has come near what is seen: editors are made then, since each costs something. */
-function useNear(focused: boolean): { readonly near: boolean; readonly ref: (element: Element | null) => void } {
+function useNear(focused: boolean): { readonly near: boolean; readonly ref: (element: Element | null) => void; } {
   const [near, setNear] = useState(false);
   const [element, ref] = useState<Element | null>(null);
   // An editor that was made stays: the keyboard would go with it.

@@ -6,7 +6,16 @@ import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirro
 import { pythonLanguage } from '@codemirror/lang-python';
 import { HighlightStyle, bracketMatching, indentOnInput, indentUnit, syntaxHighlighting } from '@codemirror/language';
 import { EditorState, type Extension, StateEffect, StateField } from '@codemirror/state';
-import { Decoration, type DecorationSet, EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
+import {
+  Decoration,
+  type DecorationSet,
+  EditorView,
+  drawSelection,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+} from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
 export interface CodeEditorEvents {
@@ -85,7 +94,13 @@ const theme = EditorView.theme({
   '.cm-gutters': { color: 'var(--text-soft)', backgroundColor: 'var(--sunken)', borderRight: '1px solid var(--line)' },
   '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'color-mix(in srgb, var(--hover) 60%, transparent)', color: 'inherit' },
   '.cm-changed': { boxShadow: 'inset 3px 0 var(--warn)' },
-  '.cm-trouble': { backgroundColor: 'color-mix(in srgb, var(--bad) 16%, transparent)', textDecorationLine: 'underline', textDecorationStyle: 'wavy', textDecorationColor: 'var(--bad)', textDecorationSkipInk: 'none' },
+  '.cm-trouble': {
+    backgroundColor: 'color-mix(in srgb, var(--bad) 16%, transparent)',
+    textDecorationLine: 'underline',
+    textDecorationStyle: 'wavy',
+    textDecorationColor: 'var(--bad)',
+    textDecorationSkipInk: 'none',
+  },
   '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': { backgroundColor: 'var(--accent-faint)' },
   '&.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--accent-faint)' },
 });

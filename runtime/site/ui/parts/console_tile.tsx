@@ -14,10 +14,10 @@ import { LineScroller } from './line_scroller.tsx';
 import { isAlive, StateBadge } from './node_state.tsx';
 
 /** Lines kept per view; older ones fall off. */
-const kCapacity = 100_000;
+const CAPACITY = 100_000;
 
 /** Stands for the launch's own lines where ids of nodes stand; these end with a number. */
-const kLaunch = 'launch';
+const LAUNCH = 'launch';
 
 export interface ConsoleTileProps {
   readonly session: Session;
@@ -41,7 +41,7 @@ export function ConsoleTile({
   announce,
   onClose,
 }: ConsoleTileProps) {
-  const ids = [...(launch ? [kLaunch] : []), ...nodes.map((node) => node.id)].join('\n');
+  const ids = [...(launch ? [LAUNCH] : []), ...nodes.map((node) => node.id)].join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
   /** 'shown': nobody asked, but the node began to read keys, and may read lines again. */
   const [asked, setAsking] = useState<boolean | 'shown'>(false);
@@ -69,7 +69,7 @@ export function ConsoleTile({
     changed();
   };
   const save = (): void => {
-    const name = only?.id ?? (alone ? kLaunch : 'all_nodes');
+    const name = only?.id ?? (alone ? LAUNCH : 'all_nodes');
     const content = new Blob([list.text()], { type: 'text/plain' });
     void import('./download.ts').then(({ download }) => download(`${name}.log`, content));
   };
@@ -105,15 +105,17 @@ export function ConsoleTile({
         label={title}
         empty={emptyWords(list.allCount, nodes)}
       />
-      {asking && only !== undefined ? (
-        <LazyInput
-          label={label}
-          mode={mode}
-          focused={asked === true}
-          send={(text) => session.sendInput(only.id, text)}
-          interrupt={() => session.interrupt(only.id)}
-        />
-      ) : null}
+      {asking && only !== undefined
+        ? (
+          <LazyInput
+            label={label}
+            mode={mode}
+            focused={asked === true}
+            send={(text) => session.sendInput(only.id, text)}
+            interrupt={() => session.interrupt(only.id)}
+          />
+        )
+        : null}
     </article>
   );
 }
@@ -131,16 +133,16 @@ interface Lines {
   readonly changed: () => void;
 }
 
-/** Follows the consoles of some nodes. `ids` holds one node id per line, or kLaunch. */
+/** Follows the consoles of some nodes. `ids` holds one node id per line, or LAUNCH. */
 function useLines(session: Session, ids: string, merged: boolean): Lines {
   const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
-  const list = useMemo(() => new LineList(kCapacity), [session, ids, merged]);
+  const list = useMemo(() => new LineList(CAPACITY), [session, ids, merged]);
   useEffect(() => {
     const names = ids === '' ? [] : ids.split('\n');
-    const prefixOf = (id: string): string => (merged && id !== kLaunch ? `[${id}] ` : '');
-    const logOf = (id: string): ConsoleLog => (id === kLaunch ? session.launchLog : session.console(id));
+    const prefixOf = (id: string): string => (merged && id !== LAUNCH ? `[${id}] ` : '');
+    const logOf = (id: string): ConsoleLog => (id === LAUNCH ? session.launchLog : session.console(id));
     list.clear();
-    const past: { readonly line: ConsoleLine; readonly prefix: string }[] = [];
+    const past: { readonly line: ConsoleLine; readonly prefix: string; }[] = [];
     const stops = names.map((id) => {
       const prefix = prefixOf(id);
       const snapshot = logOf(id).lines();
@@ -153,7 +155,7 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
     });
     // Stable: lines of one node keep their order.
     if (names.length > 1) past.sort((a, b) => a.line.time - b.line.time);
-    for (const { line, prefix } of past.slice(-kCapacity)) list.append([line], prefix);
+    for (const { line, prefix } of past.slice(-CAPACITY)) list.append([line], prefix);
     changed();
     return () => {
       for (const stop of stops) stop();

@@ -4,12 +4,12 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { PagePublisher, Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { isWindow } from '../model/cv_window_topics.ts';
-import { kNoControls, readControls } from '../model/cv_windows.ts';
+import { NO_CONTROLS, readControls } from '../model/cv_windows.ts';
 import type { WindowControls } from '../model/cv_windows.ts';
 import { textMember } from '../model/json.ts';
 import { feedFromPast } from './message_feed.ts';
 
-const kText = 'std_msgs/msg/String';
+const TEXT = 'std_msgs/msg/String';
 
 export interface CvWindow {
   readonly controls: WindowControls;
@@ -18,11 +18,11 @@ export interface CvWindow {
 }
 
 export function useCvWindow(session: Session, codec: Codec | string | null, topic: string): CvWindow {
-  const [controls, setControls] = useState(kNoControls);
+  const [controls, setControls] = useState(NO_CONTROLS);
   const publisher = useRef<PagePublisher | null>(null);
   useEffect(() => {
     if (!isWindow(topic) || codec === null || typeof codec === 'string') return undefined;
-    const made = session.node().publisher(`${topic}/input`, kText);
+    const made = session.node().publisher(`${topic}/input`, TEXT);
     publisher.current = made.problem === undefined ? made : null;
     const stop = feedFromPast(session, codec, `${topic}/controls`, ({ decoded }) => {
       if (decoded.kind !== 'failed') setControls(readControls(textMember(decoded.value, 'data')));
@@ -31,14 +31,14 @@ export function useCvWindow(session: Session, codec: Codec | string | null, topi
       stop();
       made.close();
       publisher.current = null;
-      setControls(kNoControls);
+      setControls(NO_CONTROLS);
     };
   }, [session, codec, topic]);
   return {
     controls,
     send: (event) => {
       if (publisher.current === null || codec === null || typeof codec === 'string') return false;
-      const encoded = codec.encode(kText, { data: JSON.stringify(event) });
+      const encoded = codec.encode(TEXT, { data: JSON.stringify(event) });
       if (encoded.kind !== 'bytes') return false;
       publisher.current.publish(encoded.bytes);
       return true;

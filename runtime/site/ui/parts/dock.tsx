@@ -32,11 +32,13 @@ export function Dock({ control, narrow, bare = false, show }: DockProps) {
   const shared = { control, show, narrow, bare, collects, beginDrag: narrow || bare ? null : drag.begin };
   return (
     <main id="content" class={`dock ${narrow ? 'dock-narrow' : control.large === null ? '' : 'dock-large'}`}>
-      {narrow ? (
-        <GroupView {...shared} group={oneGroup(layout)} />
-      ) : (
-        <PaneView {...shared} pane={layout.root} />
-      )}
+      {narrow
+        ? (
+          <GroupView {...shared} group={oneGroup(layout)} />
+        )
+        : (
+          <PaneView {...shared} pane={layout.root} />
+        )}
       {drag.view?.target == null ? null : (
         <div
           class="dock-drop"
@@ -78,15 +80,17 @@ interface ViewProps {
   readonly beginDrag: ((key: string, event: PointerEvent) => void) | null;
 }
 
-function PaneView({ pane, ...shared }: ViewProps & { readonly pane: Pane }) {
-  return pane.kind === 'group' ? (
-    <GroupView {...shared} group={pane} />
-  ) : (
-    <SplitView {...shared} split={pane} />
-  );
+function PaneView({ pane, ...shared }: ViewProps & { readonly pane: Pane; }) {
+  return pane.kind === 'group'
+    ? (
+      <GroupView {...shared} group={pane} />
+    )
+    : (
+      <SplitView {...shared} split={pane} />
+    );
 }
 
-function SplitView({ split, ...shared }: ViewProps & { readonly split: Split }) {
+function SplitView({ split, ...shared }: ViewProps & { readonly split: Split; }) {
   return (
     <div class={`split split-${split.kind}`}>
       {split.children.map((child, index) => {
@@ -113,7 +117,7 @@ function SplitView({ split, ...shared }: ViewProps & { readonly split: Split }) 
   );
 }
 
-function GroupView({ group, control, narrow, bare, collects, show, beginDrag }: ViewProps & { readonly group: Group }) {
+function GroupView({ group, control, narrow, bare, collects, show, beginDrag }: ViewProps & { readonly group: Group; }) {
   const seen = useRef(new Set<string>());
   seen.current.add(group.front);
   const drawn = group.tabs.filter((tab) => {
@@ -123,9 +127,11 @@ function GroupView({ group, control, narrow, bare, collects, show, beginDrag }: 
   const strip = !bare || group.tabs.length > 1;
   return (
     <div class={`group ${control.large === group.key && !narrow ? 'group-large' : ''}`} data-group={group.key}>
-      {strip ? (
-        <TabStrip group={group} control={control} narrow={narrow} bare={bare} beginDrag={beginDrag} />
-      ) : null}
+      {strip
+        ? (
+          <TabStrip group={group} control={control} narrow={narrow} bare={bare} beginDrag={beginDrag} />
+        )
+        : null}
       {group.tabs.length === 0 ? <p class="hint group-empty">{texts.layout.empty}</p> : null}
       {drawn.map((tab) => (
         <div

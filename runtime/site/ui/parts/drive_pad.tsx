@@ -3,7 +3,7 @@
 
 import { useRef } from 'preact/hooks';
 import type { Session } from '../../contract/session.ts';
-import { isRest, keyStick, kRest, pointStick } from '../model/twist.ts';
+import { isRest, keyStick, REST, pointStick } from '../model/twist.ts';
 import type { Stick } from '../model/twist.ts';
 import { panelTexts } from '../texts_panels.ts';
 import { Icon } from './icon.tsx';
@@ -13,7 +13,7 @@ export interface DrivePadProps {
   readonly topic: string;
   /** Where the knob stands. */
   readonly shown: Stick;
-  /** `kRest`: it is let go. */
+  /** `REST`: it is let go. */
   readonly hold: (source: string, stick: Stick) => void;
   readonly release: () => void;
   /** Somebody is about to drive. */
@@ -21,11 +21,11 @@ export interface DrivePadProps {
 }
 
 /** How far the knob goes, in the pad's own units: it is 100 wide. */
-const kTravel = 32;
+const TRAVEL = 32;
 /** ms of the site's time. */
-const kNudgeMs = 500;
+const NUDGE_MS = 500;
 
-const kButtons = [
+const BUTTONS = [
   { id: 'ahead', stick: { ahead: 1, turn: 0 }, turned: 'drive-up' },
   { id: 'left', stick: { ahead: 0, turn: 1 }, turned: 'drive-left' },
   { id: 'right', stick: { ahead: 0, turn: -1 }, turned: 'drive-right' },
@@ -36,7 +36,7 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
   const pointer = useRef<number | null>(null);
   const keys = useRef(new Set<string>());
   const letGoKeys = (): void => {
-    for (const key of keys.current) hold(key, kRest);
+    for (const key of keys.current) hold(key, REST);
     keys.current.clear();
   };
   const press = (event: KeyboardEvent, stick: Stick): void => {
@@ -45,15 +45,15 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
   };
   const point = (event: PointerEvent, element: Element): void => {
     const { left, top, width, height } = element.getBoundingClientRect();
-    const radius = (Math.min(width, height) / 100) * kTravel;
+    const radius = (Math.min(width, height) / 100) * TRAVEL;
     hold('pad', pointStick((event.clientX - left - width / 2) / radius, (event.clientY - top - height / 2) / radius));
   };
   const lift = (event: PointerEvent): void => {
     if (event.pointerId !== pointer.current) return;
     pointer.current = null;
-    hold('pad', kRest);
+    hold('pad', REST);
   };
-  const scale = kTravel / Math.max(1, Math.hypot(shown.ahead, shown.turn));
+  const scale = TRAVEL / Math.max(1, Math.hypot(shown.ahead, shown.turn));
   return (
     <div
       class="drive"
@@ -76,7 +76,7 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
           release();
         }
       }}
-      onKeyUp={(event) => hold(keyOf(event), kRest)}
+      onKeyUp={(event) => hold(keyOf(event), REST)}
     >
       <div
         class="drive-pad"
@@ -111,7 +111,7 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
         </svg>
       </div>
       <div class="drive-buttons" role="group" aria-label={panelTexts.teleop.buttons}>
-        {kButtons.map(({ id, stick, turned }) => (
+        {BUTTONS.map(({ id, stick, turned }) => (
           <button
             type="button"
             class={`button drive-button drive-at-${id}`}
@@ -123,9 +123,9 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
               event.currentTarget.setPointerCapture(event.pointerId);
               hold(`button ${id}`, stick);
             }}
-            onPointerUp={() => hold(`button ${id}`, kRest)}
-            onPointerCancel={() => hold(`button ${id}`, kRest)}
-            onLostPointerCapture={() => hold(`button ${id}`, kRest)}
+            onPointerUp={() => hold(`button ${id}`, REST)}
+            onPointerCancel={() => hold(`button ${id}`, REST)}
+            onLostPointerCapture={() => hold(`button ${id}`, REST)}
             onContextMenu={(event) => event.preventDefault()}
             onKeyDown={(event) => {
               if (event.key !== ' ' && event.key !== 'Enter') return;
@@ -140,9 +140,9 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
               // Pressed by software that holds nothing: a short way.
               if (event.detail !== 0) return;
               hold(`nudge ${id}`, stick);
-              const end = session.node().timer(kNudgeMs, () => {
+              const end = session.node().timer(NUDGE_MS, () => {
                 end.close();
-                hold(`nudge ${id}`, kRest);
+                hold(`nudge ${id}`, REST);
               });
             }}
           >

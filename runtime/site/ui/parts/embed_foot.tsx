@@ -33,7 +33,7 @@ export function useEmbedHost(embed: EmbedView | null, session: Session, store: S
 }
 
 /** `address` is asked when the link is used: what is shown may have changed. */
-export function WholePageLink({ address, title }: { readonly address: () => string; readonly title?: string }) {
+export function WholePageLink({ address, title }: { readonly address: () => string; readonly title?: string; }) {
   const renew = (event: Event): void => {
     if (event.currentTarget instanceof HTMLAnchorElement) event.currentTarget.href = address();
   };
@@ -54,7 +54,7 @@ export function WholePageLink({ address, title }: { readonly address: () => stri
   );
 }
 
-export function EmbedFoot({ site, whole }: { readonly site: SiteDescription; readonly whole: () => string }) {
+export function EmbedFoot({ site, whole }: { readonly site: SiteDescription; readonly whole: () => string; }) {
   const title = site.title === '' ? site.name : site.title;
   return (
     <footer class="embed-foot" aria-label={words.foot}>

@@ -4,7 +4,7 @@
 import type { DiagnosticCode } from '../../contract/diagnostic_codes.ts';
 import type { PagePublisher, Session, Unsubscribe } from '../../contract/session.ts';
 import { onto, refusal, stampOf, withNow } from '../model/draft_value.ts';
-import { Allowance, isReading, kEmbedVersion, mayAct, readRequest, Refusal } from '../model/embed_request.ts';
+import { Allowance, isReading, EMBED_VERSION, mayAct, readRequest, Refusal } from '../model/embed_request.ts';
 import type { EmbedOrder } from '../model/embed_request.ts';
 import type { Json } from '../model/json.ts';
 import { siteHash } from '../model/link.ts';
@@ -17,24 +17,24 @@ import { taskDesk } from './task_desk.ts';
 
 const words = embedTexts.refusals;
 
-const kMostSubscriptions = 16;
-const kMostPublishers = 16;
-const kMostWaiting = 16;
-const kMostMessageBytes = 1 << 20;
-const kStateMs = 100;
-const kMostHeight = 10_000;
+const MOST_SUBSCRIPTIONS = 16;
+const MOST_PUBLISHERS = 16;
+const MOST_WAITING = 16;
+const MOST_MESSAGE_BYTES = 1 << 20;
+const STATE_MS = 100;
+const MOST_HEIGHT = 10_000;
 /** At once, and in a second. */
-const kOrders = [200, 100] as const;
-const kRefusals = [20, 2] as const;
+const ORDERS = [200, 100] as const;
+const REFUSALS = [20, 2] as const;
 
-type Order<Kind extends EmbedOrder['do']> = Extract<EmbedOrder, { readonly do: Kind }>;
+type Order<Kind extends EmbedOrder['do']> = Extract<EmbedOrder, { readonly do: Kind; }>;
 
 /** Listens until the returned function is called. */
 export function hostEmbedding(session: Session, store: Store | null): Unsubscribe {
   const host = new EmbedHost(session, store);
   const listen = (event: MessageEvent<unknown>): void => host.hear(event);
   addEventListener('message', listen);
-  tellParent({ event: 'ready', versions: [kEmbedVersion] }, '*');
+  tellParent({ event: 'ready', versions: [EMBED_VERSION] }, '*');
   return () => {
     removeEventListener('message', listen);
     host.close();
@@ -47,14 +47,14 @@ export function tellFailure(code: DiagnosticCode, message: string): void {
 }
 
 function tellParent(what: Readonly<Record<string, unknown>>, origin: string): void {
-  window.parent.postMessage({ ros2wasm: kEmbedVersion, ...what }, origin);
+  window.parent.postMessage({ ros2wasm: EMBED_VERSION, ...what }, origin);
 }
 
 class EmbedHost {
   private readonly session: Session;
   private readonly store: Store | null;
-  private readonly orders = new Allowance(...kOrders, performance.now());
-  private readonly refusals = new Allowance(...kRefusals, performance.now());
+  private readonly orders = new Allowance(...ORDERS, performance.now());
+  private readonly refusals = new Allowance(...REFUSALS, performance.now());
   private readonly subscriptions = new Map<number, Unsubscribe>();
   private readonly publishers = new Map<string, PagePublisher>();
   private readonly leaving = new AbortController();
@@ -81,13 +81,13 @@ class EmbedHost {
     };
     if (!this.orders.take(now)) {
       // Rate-limit the "too many requests" replies as well.
-      if (this.refusals.take(now)) fail(tooMany(words.tooOften(kOrders[1])));
+      if (this.refusals.take(now)) fail(tooMany(words.tooOften(ORDERS[1])));
       return;
     }
     if (order instanceof Refusal) return fail(order);
     const acts = mayAct(origin, location.origin, this.session.site.embed);
     if (!acts && !isReading(order)) return fail(notListed(origin));
-    if (this.waiting >= kMostWaiting) return fail(tooMany(words.busy()));
+    if (this.waiting >= MOST_WAITING) return fail(tooMany(words.busy()));
     this.waiting += 1;
     this.follow(order, to, acts)
       .then((result) => tellParent({ id, ok: true, result: result ?? null }, to))
@@ -109,7 +109,7 @@ class EmbedHost {
     switch (order.do) {
       case 'hello': {
         const { name, title, version } = session.site;
-        return { version: kEmbedVersion, may: acts ? 'act' : 'read', link: session.link, site: { name, title, version, hash: await siteHash() } };
+        return { version: EMBED_VERSION, may: acts ? 'act' : 'read', link: session.link, site: { name, title, version, hash: await siteHash() } };
       }
       case 'state':
         return this.state();
@@ -145,13 +145,18 @@ class EmbedHost {
     const { state, rate, now } = this.session.time.view();
     return {
       nodes: this.session.nodes().map(({ id, label, state: node }) => ({
-        id, label, state: node.kind, ...('code' in node ? { code: node.code } : {}),
+        id,
+        label,
+        state: node.kind,
+        ...('code' in node ? { code: node.code } : {}),
       })),
       time: { state, rate, now },
       checks: (this.session.checks?.views() ?? []).map((check) => ({ title: check.title, state: check.state })),
       // This visit only: not every page may see the progress that the browser stores from earlier visits.
       tasks: (this.session.tasks?.views() ?? []).map(({ title, done, checks }) => ({
-        title, done, checks: checks.map((check) => ({ title: check.title, state: check.state })),
+        title,
+        done,
+        checks: checks.map((check) => ({ title: check.title, state: check.state })),
       })),
     };
   }
@@ -165,7 +170,7 @@ class EmbedHost {
       timer ??= setTimeout(() => {
         timer = undefined;
         tellParent({ event: 'state', state: this.state() }, to);
-      }, kStateMs);
+      }, STATE_MS);
     };
     const ends = [this.session.onNodes(soon), this.session.time.onChange(soon), this.session.checks?.onChange(soon), this.session.tasks?.onChange(soon)];
     soon();
@@ -204,7 +209,7 @@ class EmbedHost {
     const key = `${topic} ${type}`;
     let publisher = this.publishers.get(key);
     if (publisher === undefined) {
-      if (this.publishers.size >= kMostPublishers) throw tooMany(words.publishers(kMostPublishers));
+      if (this.publishers.size >= MOST_PUBLISHERS) throw tooMany(words.publishers(MOST_PUBLISHERS));
       publisher = this.session.node().publisher(topic, type);
       if (publisher.problem !== undefined) {
         publisher.close();
@@ -226,7 +231,7 @@ class EmbedHost {
     try {
       // JavaScript writes 1.0 as 1, which would be a whole number.
       const [before] = Number.isInteger(value) ? await valuesOf(caller, full, [name]) : [];
-      if (before?.['type'] === kDouble) text += '.0';
+      if (before?.['type'] === DOUBLE) text += '.0';
       const { successful, reason } = await setText(caller, full, name, text);
       if (successful) return null;
       throw failed(words.parameter(full, reason));
@@ -236,10 +241,10 @@ class EmbedHost {
   }
 
   private async subscribe({ topic, rate }: Order<'subscribe'>, to: string): Promise<unknown> {
-    if (this.subscriptions.size >= kMostSubscriptions)
-      throw tooMany(words.subscriptions(kMostSubscriptions));
+    if (this.subscriptions.size >= MOST_SUBSCRIPTIONS)
+      throw tooMany(words.subscriptions(MOST_SUBSCRIPTIONS));
     const number = (this.numbered += 1);
-    let newest: { bytes: Uint8Array; type: string; time: number } | undefined;
+    let newest: { bytes: Uint8Array; type: string; time: number; } | undefined;
     let missed = 0;
     let timer: ReturnType<typeof setTimeout> | undefined;
     this.subscriptions.set(number, () => clearTimeout(timer));
@@ -253,8 +258,8 @@ class EmbedHost {
       if (newest === undefined) return;
       const { bytes, type, time } = newest;
       newest = undefined;
-      const read = bytes.length > kMostMessageBytes
-        ? { error: embedTexts.tooLarge(bytes.length, kMostMessageBytes) }
+      const read = bytes.length > MOST_MESSAGE_BYTES
+        ? { error: embedTexts.tooLarge(bytes.length, MOST_MESSAGE_BYTES) }
         : messageOf(codec.decode(type, bytes));
       tellParent({ event: 'message', subscription: number, topic, type, time, missed, ...read }, to);
       missed = 0;
@@ -332,15 +337,15 @@ class EmbedHost {
 }
 
 /** rcl_interfaces/msg/ParameterType.PARAMETER_DOUBLE */
-const kDouble = 3;
+const DOUBLE = 3;
 
 /** The height of the frame, in px, with which no panel scrolls. Parts inside of a panel, such as a console, may still scroll. */
 function wantedHeight(): number {
   const hidden = Array.from(document.querySelectorAll('.panel-body, .panel-body > *'), (body) => body.scrollHeight - body.clientHeight);
-  return Math.min(kMostHeight, innerHeight + Math.max(0, ...hidden));
+  return Math.min(MOST_HEIGHT, innerHeight + Math.max(0, ...hidden));
 }
 
-function messageOf(read: { readonly kind: 'value'; readonly value: unknown } | { readonly kind: 'failed'; readonly reason: string }): object {
+function messageOf(read: { readonly kind: 'value'; readonly value: unknown; } | { readonly kind: 'failed'; readonly reason: string; }): object {
   return read.kind === 'value' ? { message: read.value } : { error: read.reason };
 }
 

@@ -23,7 +23,7 @@ export function followPaths(
   paths: readonly string[],
   { onValue, onProblem, isNew }: PathListener,
 ): Unsubscribe {
-  const topics = new Map<string, { readonly text: string; readonly path: FieldPath }[]>();
+  const topics = new Map<string, { readonly text: string; readonly path: FieldPath; }[]>();
   for (const text of paths) {
     const path = parseFieldPath(text);
     if (path === null) {

@@ -46,16 +46,16 @@ export function GraphDetails(props: GraphDetailsProps) {
       {node === undefined ? null : <NodeDetails {...props} node={node} />}
       {topic === undefined ? null : <TopicDetails {...props} name={topic[0]} ends={topic[1]} />}
       {action === undefined ? null : (
-        <CallDetails {...props} {...kOfAction} name={action[0]} ends={action[1]} />
+        <CallDetails {...props} {...OF_ACTION} name={action[0]} ends={action[1]} />
       )}
       {service === undefined ? null : (
-        <CallDetails {...props} {...kOfService} name={service[0]} ends={service[1]} />
+        <CallDetails {...props} {...OF_SERVICE} name={service[0]} ends={service[1]} />
       )}
     </section>
   );
 }
 
-function NodeDetails({ node, session, hidden, onSelect, showConsole }: GraphDetailsProps & { readonly node: GraphNodeView }) {
+function NodeDetails({ node, session, hidden, onSelect, showConsole }: GraphDetailsProps & { readonly node: GraphNodeView; }) {
   const process = useNodes(session).find(({ id }) => id === node.process);
   const topics = (list: readonly GraphEndpointView[]): readonly Entry[] =>
     distinct(list.filter((each) => hidden || !isHiddenTopic(each.name))).map(({ name, type }) => ({ name, note: type, id: boxId('topic', name) }));
@@ -65,21 +65,22 @@ function NodeDetails({ node, session, hidden, onSelect, showConsole }: GraphDeta
       note: each.type,
       id: hidden || isShownService(each) ? boxId('service', each.name) : null,
     }));
-  const actions = (list: GraphNodeView['actionServers']): readonly Entry[] =>
-    list.map(({ name, type }) => ({ name, note: type, id: boxId('action', name) }));
+  const actions = (list: GraphNodeView['actionServers']): readonly Entry[] => list.map(({ name, type }) => ({ name, note: type, id: boxId('action', name) }));
   return (
     <>
       <div class="work-row">
-        {process === undefined ? (
-          <span class="hint">{viewTexts.graph.elsewhere}</span>
-        ) : (
-          <>
-            <StateBadge node={process} />
-            <button type="button" class="button" onClick={() => showConsole(process.id)}>
-              {viewTexts.graph.showConsole}
-            </button>
-          </>
-        )}
+        {process === undefined
+          ? (
+            <span class="hint">{viewTexts.graph.elsewhere}</span>
+          )
+          : (
+            <>
+              <StateBadge node={process} />
+              <button type="button" class="button" onClick={() => showConsole(process.id)}>
+                {viewTexts.graph.showConsole}
+              </button>
+            </>
+          )}
       </div>
       <Entries title={viewTexts.graph.publishes} entries={topics(node.publishers)} onSelect={onSelect} />
       <Entries title={viewTexts.graph.subscribes} entries={topics(node.subscriptions)} onSelect={onSelect} />
@@ -96,7 +97,7 @@ interface Ends {
   readonly to: ReadonlySet<string>;
 }
 
-type EndsProps = GraphDetailsProps & { readonly name: string; readonly ends: Ends };
+type EndsProps = GraphDetailsProps & { readonly name: string; readonly ends: Ends; };
 
 function TopicDetails({ name, ends, graph, topics, hidden, onSelect, showTopic }: EndsProps) {
   const view = topics.find((each) => each.name === name);
@@ -121,8 +122,8 @@ function TopicDetails({ name, ends, graph, topics, hidden, onSelect, showTopic }
   );
 }
 
-const kOfAction = { servers: viewTexts.graph.actionServers, clients: viewTexts.graph.actionClients };
-const kOfService = { servers: viewTexts.graph.serviceServers, clients: viewTexts.graph.serviceClients };
+const OF_ACTION = { servers: viewTexts.graph.actionServers, clients: viewTexts.graph.actionClients };
+const OF_SERVICE = { servers: viewTexts.graph.serviceServers, clients: viewTexts.graph.serviceClients };
 
 /** Details of an action or a service. */
 function CallDetails({
@@ -134,7 +135,7 @@ function CallDetails({
   hidden,
   onSelect,
   showAction,
-}: EndsProps & { readonly servers: string; readonly clients: string }) {
+}: EndsProps & { readonly servers: string; readonly clients: string; }) {
   const entries = nodeEntries(graph, hidden);
   return (
     <>
@@ -161,7 +162,7 @@ interface Entry {
   readonly id: string | null;
 }
 
-function Entries({ title, entries, onSelect }: { readonly title: string; readonly entries: readonly Entry[]; readonly onSelect: (id: string) => void }) {
+function Entries({ title, entries, onSelect }: { readonly title: string; readonly entries: readonly Entry[]; readonly onSelect: (id: string) => void; }) {
   if (entries.length === 0) return null;
   return (
     <div class="graph-entries">
@@ -169,13 +170,15 @@ function Entries({ title, entries, onSelect }: { readonly title: string; readonl
       <ul role="list">
         {entries.map(({ name, note, id }, index) => (
           <li key={`${name} ${index}`}>
-            {id === null ? (
-              <Name text={name} />
-            ) : (
-              <button type="button" class="link-button" onClick={() => onSelect(id)}>
+            {id === null
+              ? (
                 <Name text={name} />
-              </button>
-            )}
+              )
+              : (
+                <button type="button" class="link-button" onClick={() => onSelect(id)}>
+                  <Name text={name} />
+                </button>
+              )}
             {note === '' ? null : (
               <span class="graph-note">
                 <Name text={note} />

@@ -11,12 +11,12 @@ import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
 import { useCamera } from './use_camera.ts';
 
-const kFont = '13px';
-const kSmallFont = '11px';
-const kLine = 16;
-const kZoom = 1.3;
+const FONT = '13px';
+const SMALL_FONT = '11px';
+const LINE = 16;
+const ZOOM = 1.3;
 /** Room for a rate behind a name. */
-const kRateRoom = '  1000 Hz';
+const RATE_ROOM = '  1000 Hz';
 
 export interface GraphDrawingProps {
   readonly picture: Picture;
@@ -34,13 +34,13 @@ export function sizesOf(picture: Picture): Sizes {
   return {
     boxes: new Map(picture.boxes.map(({ id, kind, label }) => [
       id,
-      { width: Math.max(56, Math.ceil(width(label, kFont)) + (kind === 'node' ? 32 : 22)), height: kind === 'node' ? 38 : 30 },
+      { width: Math.max(56, Math.ceil(width(label, FONT)) + (kind === 'node' ? 32 : 22)), height: kind === 'node' ? 38 : 30 },
     ])),
     wires: new Map(picture.wires.filter(({ lines }) => lines.length > 0).map(({ id, lines, more }) => [
       id,
       {
-        width: Math.ceil(Math.max(...lines.map(({ label }) => width(`${label}${kRateRoom}`, kSmallFont)))) + 10,
-        height: kLine * (lines.length + (more > 0 ? 1 : 0)) + 4,
+        width: Math.ceil(Math.max(...lines.map(({ label }) => width(`${label}${RATE_ROOM}`, SMALL_FONT)))) + 10,
+        height: LINE * (lines.length + (more > 0 ? 1 : 0)) + 4,
       },
     ])),
   };
@@ -72,7 +72,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
         const at = routes.get(id)?.label;
         return at === null || at === undefined
           ? []
-          : lines.map((line, index) => ({ id: `${id} ${line.name}`, place: { x: at.x, y: at.y + index * kLine, width: 40, height: kLine } }));
+          : lines.map((line, index) => ({ id: `${id} ${line.name}`, place: { x: at.x, y: at.y + index * LINE, width: 40, height: LINE } }));
       }),
     ],
     direction,
@@ -107,10 +107,10 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
         break;
       case '+':
       case '=':
-        control.zoom(kZoom);
+        control.zoom(ZOOM);
         break;
       case '-':
-        control.zoom(1 / kZoom);
+        control.zoom(1 / ZOOM);
         break;
       case '0':
         control.fit();
@@ -186,7 +186,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
             return at === null || at === undefined ? null : (
               <g key={`words ${wire.id}`}>
                 {wire.lines.map((line, index) => {
-                  const y = at.y + (index - (wire.lines.length + (wire.more > 0 ? 1 : 0) - 1) / 2) * kLine;
+                  const y = at.y + (index - (wire.lines.length + (wire.more > 0 ? 1 : 0) - 1) / 2) * LINE;
                   const rate = line.kind === 'topic' ? rateOf(line.name) : '';
                   const words = wordsOf(line, rateOf);
                   return (
@@ -194,7 +194,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
                       key={line.name}
                       class="graph-words"
                       aria-label={words}
-                      {...item(`${wire.id} ${line.name}`, boxId(line.kind, line.name), { x: at.x, y, width: 80, height: kLine })}
+                      {...item(`${wire.id} ${line.name}`, boxId(line.kind, line.name), { x: at.x, y, width: 80, height: LINE })}
                     >
                       <title>{words}</title>
                       <text class="graph-wire-text" x={at.x} y={y + 4}>
@@ -204,26 +204,28 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
                     </g>
                   );
                 })}
-                {wire.more > 0 ? (
-                  <text class="graph-wire-text" x={at.x} y={at.y + (wire.lines.length / 2) * kLine + 4}>
-                    {viewTexts.graph.more(wire.more)}
-                  </text>
-                ) : null}
+                {wire.more > 0
+                  ? (
+                    <text class="graph-wire-text" x={at.x} y={at.y + (wire.lines.length / 2) * LINE + 4}>
+                      {viewTexts.graph.more(wire.more)}
+                    </text>
+                  )
+                  : null}
               </g>
             );
           })}
         </g>
       </svg>
       <div class="graph-tools">
-        <IconButton icon="plus" label={viewTexts.graph.zoomIn} onClick={() => control.zoom(kZoom)} />
-        <IconButton icon="minus" label={viewTexts.graph.zoomOut} onClick={() => control.zoom(1 / kZoom)} />
+        <IconButton icon="plus" label={viewTexts.graph.zoomIn} onClick={() => control.zoom(ZOOM)} />
+        <IconButton icon="minus" label={viewTexts.graph.zoomOut} onClick={() => control.zoom(1 / ZOOM)} />
         <IconButton icon="fit" label={viewTexts.graph.fit} onClick={control.fit} />
       </div>
     </div>
   );
 }
 
-function wordsOf({ kind, name }: { readonly kind: Box['kind']; readonly name: string }, rateOf: (topic: string) => string): string {
+function wordsOf({ kind, name }: { readonly kind: Box['kind']; readonly name: string; }, rateOf: (topic: string) => string): string {
   const rate = kind === 'topic' ? rateOf(name) : '';
   return viewTexts.graph.item[kind](name) + (rate === '' ? '' : `, ${rate}`);
 }

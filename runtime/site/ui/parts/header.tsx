@@ -83,15 +83,17 @@ export function PageHeader({ session, store, onAbout, narrow, layoutItems }: Pag
       </div>
       <div class="head-more">
         <TabsControl session={session} bare={narrow} {...joining} />
-        {narrow ? (
-          <MenuButton icon="more" label={texts.pageMenu} words={texts.pageMenuShort} items={menu()} />
-        ) : (
-          <>
-            <MenuButton icon="layout" label={texts.layout.menu} items={layoutItems} />
-            <IconButton icon={theme.icon} label={theme.words} onClick={theme.change} />
-            <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
-          </>
-        )}
+        {narrow
+          ? (
+            <MenuButton icon="more" label={texts.pageMenu} words={texts.pageMenuShort} items={menu()} />
+          )
+          : (
+            <>
+              <MenuButton icon="layout" label={texts.layout.menu} items={layoutItems} />
+              <IconButton icon={theme.icon} label={theme.words} onClick={theme.change} />
+              <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
+            </>
+          )}
       </div>
     </header>
   );
@@ -121,12 +123,12 @@ function RunButton({ icon, words, disabled, main, onClick }: RunButtonProps) {
   );
 }
 
-const kNextTheme: Readonly<Record<Theme, Theme>> = {
+const NEXT_THEME: Readonly<Record<Theme, Theme>> = {
   system: 'light',
   light: 'dark',
   dark: 'system',
 };
-const kThemeIcon = { system: 'system', light: 'sun', dark: 'moon' } as const;
+const THEME_ICON = { system: 'system', light: 'sun', dark: 'moon' } as const;
 
 function useThemeChoice(store: Store | null, chosenByAuthor: unknown) {
   const [theme, setTheme] = useState<Theme>(() => readTheme(store, chosenByAuthor));
@@ -135,9 +137,9 @@ function useThemeChoice(store: Store | null, chosenByAuthor: unknown) {
     else document.documentElement.dataset['theme'] = theme;
   }, [theme]);
   const change = (): void => {
-    const next = kNextTheme[theme];
+    const next = NEXT_THEME[theme];
     setTheme(next);
     writePreference(store, 'theme', next);
   };
-  return { icon: kThemeIcon[theme], words: texts.theme[theme], change };
+  return { icon: THEME_ICON[theme], words: texts.theme[theme], change };
 }

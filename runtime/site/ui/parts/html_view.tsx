@@ -7,7 +7,7 @@ import { readHtml } from '../model/html.ts';
 import type { HtmlNode } from '../model/html.ts';
 import { viewTexts } from '../texts_views.ts';
 
-export function HtmlView({ html }: { readonly html: string }) {
+export function HtmlView({ html }: { readonly html: string; }) {
   const nodes = useMemo(() => readHtml(html), [html]);
   return nodes === null ? <p class="hint">{viewTexts.notebook.tooMuch}</p> : <div class="html">{nodes.map(drawn)}</div>;
 }

@@ -1,7 +1,7 @@
 // The page's icons: small line drawings in one 16 by 16 grid, hidden from assistive technology because a
 // text or label always stands beside them.
 
-const kPaths = {
+const PATHS = {
   play: 'M5 3.2v9.6L12.6 8Z',
   stop: 'M4 4h8v8H4Z',
   pause: 'M5.5 3.5v9M10.5 3.5v9',
@@ -24,8 +24,7 @@ const kPaths = {
   ring: 'M8 3.2a4.8 4.8 0 1 0 0 9.6 4.8 4.8 0 0 0 0-9.6Z',
   disc: 'M8 3.6a4.4 4.4 0 1 0 0 8.8 4.4 4.4 0 0 0 0-8.8Z',
   arc: 'M8 3.2A4.8 4.8 0 1 1 3.2 8',
-  nodes:
-    'M4 6.2a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM12 13.8a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM4 6.2v2.6a3 3 0 0 0 3 3h3',
+  nodes: 'M4 6.2a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM12 13.8a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM4 6.2v2.6a3 3 0 0 0 3 3h3',
   code: 'M5.4 4.4 1.8 8l3.6 3.6M10.6 4.4 14.2 8l-3.6 3.6',
   console: 'M1.8 2.8h12.4v10.4H1.8ZM4.4 6l2.2 2-2.2 2M8.2 10.2h3.4',
   topics:
@@ -36,7 +35,8 @@ const kPaths = {
   fit: 'M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10',
   frames: 'M5 11V2.5M5 11h8.5M5 11l-3 3M3.4 4.2 5 2.5l1.6 1.7M11.8 9.4l1.7 1.6-1.7 1.6',
   health: 'M1.5 8.5h3l1.8-4.6 3 8.4 2-5.2.9 1.4h2.3',
-  lifecycle: 'M8 2.4a2.1 2.1 0 1 0 0 4.2 2.1 2.1 0 0 0 0-4.2ZM3.6 9.6a2.1 2.1 0 1 0 0 4.2 2.1 2.1 0 0 0 0-4.2ZM12.4 9.6a2.1 2.1 0 1 0 0 4.2 2.1 2.1 0 0 0 0-4.2ZM6.8 6.2 4.8 9.8M9.2 6.2l2 3.6M5.8 11.7h4.4',
+  lifecycle:
+    'M8 2.4a2.1 2.1 0 1 0 0 4.2 2.1 2.1 0 0 0 0-4.2ZM3.6 9.6a2.1 2.1 0 1 0 0 4.2 2.1 2.1 0 0 0 0-4.2ZM12.4 9.6a2.1 2.1 0 1 0 0 4.2 2.1 2.1 0 0 0 0-4.2ZM6.8 6.2 4.8 9.8M9.2 6.2l2 3.6M5.8 11.7h4.4',
   graph: 'M1.8 6h4.4v4H1.8ZM9.8 2.2h4.4v4H9.8ZM9.8 9.8h4.4v4H9.8ZM6.2 8H8M8 4.2v7.6M8 4.2h1.8M8 11.8h1.8',
   more: 'M3 7.4v1.2M8 7.4v1.2M13 7.4v1.2',
   layout: 'M1.8 2.8h12.4v10.4H1.8ZM6.4 2.8v10.4M6.4 8h7.8',
@@ -53,7 +53,8 @@ const kPaths = {
   image: 'M1.8 2.8h12.4v10.4H1.8ZM1.8 11.2l3.6-3.6 3 3 2.2-2.2 3.6 3.6M10.6 5.8h.01',
   scene: 'M8 1.8 13.6 5v6L8 14.2 2.4 11V5ZM2.4 5 8 8.2 13.6 5M8 8.2v6',
   simulation: 'M1.8 12.6h12.4M3.4 12.6V7.2h5v5.4M10.6 12.4a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM6 1.6v3.2M4.2 3.4 6 5.2l1.8-1.8',
-  hand: 'M4.6 8.6V4.2a1 1 0 0 1 2 0v3V2.8a1 1 0 0 1 2 0v4.4V3.6a1 1 0 0 1 2 0v4V5.4a1 1 0 0 1 2 0v4.8a4 4 0 0 1-4 4H8a4 4 0 0 1-3.2-1.6L2.4 9.4a1 1 0 0 1 1.5-1.3Z',
+  hand:
+    'M4.6 8.6V4.2a1 1 0 0 1 2 0v3V2.8a1 1 0 0 1 2 0v4.4V3.6a1 1 0 0 1 2 0v4V5.4a1 1 0 0 1 2 0v4.8a4 4 0 0 1-4 4H8a4 4 0 0 1-3.2-1.6L2.4 9.4a1 1 0 0 1 1.5-1.3Z',
   push: 'M1.8 8h7.4M6.4 5.2 9.2 8l-2.8 2.8M11.2 3.4h3v9.2h-3Z',
   goal: 'M8 1.8a4.4 4.4 0 0 0-4.4 4.4C3.6 9.6 8 14.2 8 14.2s4.4-4.6 4.4-8A4.4 4.4 0 0 0 8 1.8ZM8 4.8v2.8M6.6 6.2h2.8',
   estimate: 'M2.4 13.6 12 4M12 4H7.6M12 4v4.4M2.4 9.4v4.2h4.2',
@@ -63,24 +64,25 @@ const kPaths = {
   home: 'M2.2 8 8 2.6 13.8 8M4 6.6v6.8h8V6.6',
   list: 'M2.4 4h1.8M6.4 4h7.2M2.4 8h1.8M6.4 8h7.2M2.4 12h1.8M6.4 12h7.2',
   timeline: 'M1.8 3.6h5v3.2h-5ZM8.4 3.6h5.8v3.2H8.4ZM1.8 9.2h8v3.2h-8ZM11.4 9.2h2.8v3.2h-2.8Z',
-  turtle: 'M7.6 4.2c2.6 0 4 1.8 4 3.9s-1.4 3.9-4 3.9-4.4-2-4.4-3.9 1.8-3.9 4.4-3.9ZM11.6 7a1.7 1.7 0 1 1 0 2.2M9.6 4.6l1-2M5 4.9l-1.4-1.6M9.6 11.6l1 2M5 11.3l-1.4 1.6',
+  turtle:
+    'M7.6 4.2c2.6 0 4 1.8 4 3.9s-1.4 3.9-4 3.9-4.4-2-4.4-3.9 1.8-3.9 4.4-3.9ZM11.6 7a1.7 1.7 0 1 1 0 2.2M9.6 4.6l1-2M5 4.9l-1.4-1.6M9.6 11.6l1 2M5 11.3l-1.4 1.6',
   bag: 'M4.6 5.6a3 3 0 1 0 0 6 3 3 0 0 0 0-6ZM11.4 5.6a3 3 0 1 0 0 6 3 3 0 0 0 0-6ZM4.6 11.6h6.8M4.6 8.6h.01M11.4 8.6h.01',
   link: 'M6.6 9.4 9.4 6.6M7.2 4.6l1.4-1.4a3 3 0 0 1 4.2 4.2l-1.4 1.4M8.8 11.4l-1.4 1.4a3 3 0 0 1-4.2-4.2l1.4-1.4',
 } as const;
 
-export type IconName = keyof typeof kPaths;
+export type IconName = keyof typeof PATHS;
 
-const kFilled: ReadonlySet<IconName> = new Set<IconName>(['play', 'stop', 'disc']);
+const FILLED: ReadonlySet<IconName> = new Set<IconName>(['play', 'stop', 'disc']);
 
-export function Icon({ name, class: extra }: { readonly name: IconName; readonly class?: string }) {
+export function Icon({ name, class: extra }: { readonly name: IconName; readonly class?: string; }) {
   return (
     <svg
-      class={`icon ${kFilled.has(name) ? 'icon-filled' : ''} ${extra ?? ''}`}
+      class={`icon ${FILLED.has(name) ? 'icon-filled' : ''} ${extra ?? ''}`}
       viewBox="0 0 16 16"
       aria-hidden="true"
       focusable="false"
     >
-      <path d={kPaths[name]} />
+      <path d={PATHS[name]} />
     </svg>
   );
 }

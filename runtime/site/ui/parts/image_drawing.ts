@@ -5,18 +5,18 @@ import type { Codec } from '../../decode/codec.ts';
 import type { Session, Unsubscribe } from '../../contract/session.ts';
 import { asNumber } from '../model/field_path.ts';
 import type { RawImage } from '../model/image_encodings.ts';
-import { kAutomatic, pixelsOf } from '../model/image_pixels.ts';
+import { AUTOMATIC, pixelsOf } from '../model/image_pixels.ts';
 import type { ImageRange, WantedRange } from '../model/image_pixels.ts';
 import { texts } from '../texts.ts';
 import { imageTexts } from '../texts_image.ts';
 import { feed } from './message_feed.ts';
 
-const kRaw = 'sensor_msgs/msg/Image';
-const kCompressed = 'sensor_msgs/msg/CompressedImage';
-const kMostCompressed = 1 << 26;
+const RAW = 'sensor_msgs/msg/Image';
+const COMPRESSED = 'sensor_msgs/msg/CompressedImage';
+const MOST_COMPRESSED = 1 << 26;
 
 export function isImage(type: string): boolean {
-  return type === kRaw || type === kCompressed;
+  return type === RAW || type === COMPRESSED;
 }
 
 export interface ImageTold {
@@ -47,7 +47,7 @@ export function drawImages(
   topic: string,
   canvas: () => HTMLCanvasElement | null,
   tell: (told: ImageTold) => void,
-  range: () => WantedRange = () => kAutomatic,
+  range: () => WantedRange = () => AUTOMATIC,
 ): ImageDrawing {
   let current = true;
   let newest: ImageMessage | null = null;
@@ -63,7 +63,7 @@ export function drawImages(
     newest = null;
     last = next;
     busy = true;
-    const told = next.type === kRaw ? drawRaw(element, next.value, range(), room) : await drawCompressed(element, next.value);
+    const told = next.type === RAW ? drawRaw(element, next.value, range(), room) : await drawCompressed(element, next.value);
     busy = false;
     if (!current) return;
     tell(told);
@@ -125,7 +125,7 @@ function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unkno
 
 async function drawCompressed(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>): Promise<ImageTold> {
   const { data, format } = value;
-  if (!(data instanceof Uint8Array) || data.length > kMostCompressed) return fault(imageTexts.noImage);
+  if (!(data instanceof Uint8Array) || data.length > MOST_COMPRESSED) return fault(imageTexts.noImage);
   const name = typeof format === 'string' ? format : '';
   try {
     const picture = await createImageBitmap(new Blob([Uint8Array.from(data)]));

@@ -19,7 +19,7 @@ export interface InputLineProps {
 export function InputLine({ label, mode, focused, send, interrupt }: InputLineProps) {
   const [text, setText] = useState('');
   const keys = mode === undefined ? undefined : keyFieldProps({ mode, send, interrupt });
-  const onKey = (event: KeyboardEvent & { readonly currentTarget: HTMLInputElement }): void => {
+  const onKey = (event: KeyboardEvent & { readonly currentTarget: HTMLInputElement; }): void => {
     const { selectionStart, selectionEnd } = event.currentTarget;
     if (!event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return;
     const key = event.key.toLowerCase();
@@ -62,11 +62,13 @@ export function InputLine({ label, mode, focused, send, interrupt }: InputLinePr
           }
         }}
       />
-      {mode === undefined ? (
-        <button type="submit" class="button">
-          {runTexts.input.send}
-        </button>
-      ) : null}
+      {mode === undefined
+        ? (
+          <button type="submit" class="button">
+            {runTexts.input.send}
+          </button>
+        )
+        : null}
     </form>
   );
 }

@@ -5,7 +5,7 @@ import type { LaunchArgument, LaunchView } from '../../contract/session.ts';
 import { isGiven, launchLink, valuesOf } from '../model/launch_link.ts';
 import { runTexts } from '../texts_run.ts';
 
-export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
+export function LaunchForm({ launch }: { readonly launch: LaunchView; }) {
   const [values, setValues] = useState<ReadonlyMap<string, string>>(
     () => new Map(launch.arguments.map(({ name, value }) => [name, value])),
   );
@@ -36,15 +36,17 @@ export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
           <button type="submit" class="button button-main">
             {runTexts.launch.apply}
           </button>
-          {given ? (
-            <button
-              type="button"
-              class="button"
-              onClick={() => location.assign(launchLink(location.href, [], new Map()))}
-            >
-              {runTexts.launch.defaults}
-            </button>
-          ) : null}
+          {given
+            ? (
+              <button
+                type="button"
+                class="button"
+                onClick={() => location.assign(launchLink(location.href, [], new Map()))}
+              >
+                {runTexts.launch.defaults}
+              </button>
+            )
+            : null}
         </p>
       </form>
     </details>
@@ -67,32 +69,34 @@ function Field({ argument, value, onValue }: FieldProps) {
       <label class="launch-name" for={id}>
         {name}
       </label>
-      {choices === undefined ? (
-        <input
-          id={id}
-          class="launch-value"
-          type="text"
-          value={value}
-          autocomplete="off"
-          spellcheck={false}
-          aria-describedby={`${id}-about`}
-          onInput={(event) => onValue(event.currentTarget.value)}
-        />
-      ) : (
-        <select
-          id={id}
-          class="launch-value"
-          value={value}
-          aria-describedby={`${id}-about`}
-          onChange={(event) => onValue(event.currentTarget.value)}
-        >
-          {choices.map((choice) => (
-            <option key={choice} value={choice}>
-              {choice}
-            </option>
-          ))}
-        </select>
-      )}
+      {choices === undefined
+        ? (
+          <input
+            id={id}
+            class="launch-value"
+            type="text"
+            value={value}
+            autocomplete="off"
+            spellcheck={false}
+            aria-describedby={`${id}-about`}
+            onInput={(event) => onValue(event.currentTarget.value)}
+          />
+        )
+        : (
+          <select
+            id={id}
+            class="launch-value"
+            value={value}
+            aria-describedby={`${id}-about`}
+            onChange={(event) => onValue(event.currentTarget.value)}
+          >
+            {choices.map((choice) => (
+              <option key={choice} value={choice}>
+                {choice}
+              </option>
+            ))}
+          </select>
+        )}
       <p class="launch-about" id={`${id}-about`}>
         {about.filter((text) => text !== '').join(' \u00b7 ')}
       </p>

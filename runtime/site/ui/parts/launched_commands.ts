@@ -2,9 +2,8 @@
 
 import { launchedCommands } from '../../ros2cli/launched_command.ts';
 import type { CommandLoader } from '../../contract/session.ts';
-import { kHome } from '../shell/paths.ts';
+import { HOME } from '../shell/paths.ts';
 import { readText } from '../shell/session_files.ts';
 import { bagsOf } from './terminal_files.ts';
 
-export const pageCommands: CommandLoader = (session) =>
-  launchedCommands({ bags: bagsOf(session), readText: (name) => readText(session, kHome, name) })(session);
+export const pageCommands: CommandLoader = (session) => launchedCommands({ bags: bagsOf(session), readText: (name) => readText(session, HOME, name) })(session);

@@ -9,10 +9,10 @@ import { texts } from '../texts.ts';
 import type { MenuItem } from './menu.tsx';
 import type { LayoutControl } from './use_layout.ts';
 
-const kShown = ['no', 'yes'] as const;
+const SHOWN = ['no', 'yes'] as const;
 
 export function useLayoutItems(control: LayoutControl, store: Store | null, announce: (text: string) => void): readonly MenuItem[] {
-  const [places, setPlaces] = useState(() => readPreference(store, 'places', kShown, 'no') === 'yes');
+  const [places, setPlaces] = useState(() => readPreference(store, 'places', SHOWN, 'no') === 'yes');
   useLayoutEffect(() => void document.documentElement.toggleAttribute('data-places', places), [places]);
   const togglePlaces = (): void => {
     setPlaces(!places);

@@ -5,10 +5,8 @@ import type { PanelComponent, PanelProps, PanelRow } from '../panels/panel_props
 import { texts } from '../texts.ts';
 import { panelStyles } from './panel_styles.ts';
 
-export function LazyPanel({ row, panel }: { readonly row: PanelRow; readonly panel: PanelProps }) {
-  const [Loaded, setLoaded] = useState<PanelComponent | null>(() =>
-    row.source.kind === 'ready' ? row.source.component : null,
-  );
+export function LazyPanel({ row, panel }: { readonly row: PanelRow; readonly panel: PanelProps; }) {
+  const [Loaded, setLoaded] = useState<PanelComponent | null>(() => row.source.kind === 'ready' ? row.source.component : null);
   const [failure, setFailure] = useState<unknown>(null);
   useEffect(() => {
     if (row.source.kind === 'lazy' && Loaded === null) {

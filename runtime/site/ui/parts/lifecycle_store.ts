@@ -10,10 +10,10 @@ import { isHiddenName } from '../../decode/ros_names.ts';
 import { member, textMember } from '../model/json.ts';
 import { viewTexts } from '../texts_views.ts';
 
-const kEventType = 'lifecycle_msgs/msg/TransitionEvent';
-const kMostTransitions = 30;
+const EVENT_TYPE = 'lifecycle_msgs/msg/TransitionEvent';
+const MOST_TRANSITIONS = 30;
 /** After a read that failed: the node may only have been busy. By the site's time. */
-const kAgainMs = 2000;
+const AGAIN_MS = 2000;
 
 export interface ManagedNode {
   /** Fully qualified. */
@@ -123,12 +123,16 @@ export class LifecycleStore {
       if (known !== undefined) this.leave(known);
       const entry: Entry = {
         view: { name, here: true, state: null, transitions: [], asked: null, answer: '', problem: '', unread: '' },
-        gid, turn: 0, abort: new AbortController(), stop: () => undefined, again: undefined,
+        gid,
+        turn: 0,
+        abort: new AbortController(),
+        stop: () => undefined,
+        again: undefined,
       };
       this.entries.set(name, entry);
       // Before it is read: what happens meanwhile is not missed.
-      const heard = this.session.node().subscription(`${name}/transition_event`, kEventType, { depth: 100 }, (bytes) => {
-        const event = this.codec.decode(kEventType, bytes);
+      const heard = this.session.node().subscription(`${name}/transition_event`, EVENT_TYPE, { depth: 100 }, (bytes) => {
+        const event = this.codec.decode(EVENT_TYPE, bytes);
         const goal = event.kind === 'value' ? (member(event.value, 'goal_state') as State | undefined) : undefined;
         if (goal !== undefined) this.show(entry, { state: { id: goal.id, label: textMember(goal, 'label') } });
         this.read(entry);
@@ -159,12 +163,14 @@ export class LifecycleStore {
       ([state, transitions]) => {
         if (entry.turn !== turn) return;
         this.show(entry, {
-          state, transitions: transitions.slice(0, kMostTransitions).map(({ transition }) => transition), unread: '',
+          state,
+          transitions: transitions.slice(0, MOST_TRANSITIONS).map(({ transition }) => transition),
+          unread: '',
         });
       },
       (error: unknown) => {
         if (entry.turn !== turn || entry.abort.signal.aborted) return;
-        entry.again = this.session.node().timer(kAgainMs, () => this.read(entry));
+        entry.again = this.session.node().timer(AGAIN_MS, () => this.read(entry));
         this.show(entry, { unread: wordsOf(error) });
       },
     );

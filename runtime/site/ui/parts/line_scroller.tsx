@@ -20,8 +20,8 @@ export interface LineScrollerProps {
 }
 
 /** Rows drawn above and below the window, so that fast scrolling shows no gap. */
-const kSpareRows = 12;
-const kProbeLength = 64;
+const SPARE_ROWS = 12;
+const PROBE_LENGTH = 64;
 
 interface Metrics {
   /** Heights in px. */
@@ -54,10 +54,9 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     const measure = (): void => {
       const size = sample.getBoundingClientRect();
       const style = getComputedStyle(element);
-      const room =
-        element.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+      const room = element.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
       if (size.width > 0 && room > 0) {
-        list.setColumns(Math.floor(room / (size.width / kProbeLength) + 0.001));
+        list.setColumns(Math.floor(room / (size.width / PROBE_LENGTH) + 0.001));
         setMetrics({ row: size.height, view: element.clientHeight });
       }
     };
@@ -73,9 +72,9 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     const onSelection = (): void => {
       const selection = document.getSelection();
       if (
-        selection !== null &&
-        !selection.isCollapsed &&
-        body.current?.contains(selection.anchorNode) === true
+        selection !== null
+        && !selection.isCollapsed
+        && body.current?.contains(selection.anchorNode) === true
       )
         follow(false);
     };
@@ -85,7 +84,7 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
 
   const viewRows = Math.ceil(metrics.view / metrics.row);
   const firstRow = following.current ? list.totalRows - viewRows : Math.floor(top / metrics.row);
-  const shown = list.window(firstRow - kSpareRows, firstRow + viewRows + kSpareRows);
+  const shown = list.window(firstRow - SPARE_ROWS, firstRow + viewRows + SPARE_ROWS);
 
   useLayoutEffect(() => {
     const element = box.current;
@@ -95,9 +94,8 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     shown.lines.forEach((line, i) => {
       const row = rows[i];
       if (list.isUncertain(line) && row instanceof HTMLElement) {
-        corrected =
-          list.correct(shown.first + i, Math.max(1, Math.round(row.offsetHeight / metrics.row))) ||
-          corrected;
+        corrected = list.correct(shown.first + i, Math.max(1, Math.round(row.offsetHeight / metrics.row)))
+          || corrected;
       }
     });
     const fallen = list.takeFallenRows();
@@ -113,8 +111,7 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
   const onScroll = (): void => {
     const element = box.current;
     if (element === null) return;
-    const atEnd =
-      element.scrollTop + element.clientHeight >= element.scrollHeight - metrics.row / 2;
+    const atEnd = element.scrollTop + element.clientHeight >= element.scrollHeight - metrics.row / 2;
     setTop(element.scrollTop);
     follow(atEnd);
   };
@@ -140,30 +137,34 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
         aria-label={label}
       >
         <div class="lines-probe" ref={probe} aria-hidden="true">
-          {'M'.repeat(kProbeLength)}
+          {'M'.repeat(PROBE_LENGTH)}
         </div>
-        {list.shownCount === 0 ? (
-          <p class="lines-empty">{empty}</p>
-        ) : (
-          <div class="lines-all" style={{ height: `${list.totalRows * metrics.row}px` }}>
-            <div
-              class="lines-shown"
-              ref={body}
-              style={{ transform: `translateY(${shown.top * metrics.row}px)` }}
-            >
-              {shown.lines.map((line) => (
-                <Line key={line.key} line={line} />
-              ))}
+        {list.shownCount === 0
+          ? (
+            <p class="lines-empty">{empty}</p>
+          )
+          : (
+            <div class="lines-all" style={{ height: `${list.totalRows * metrics.row}px` }}>
+              <div
+                class="lines-shown"
+                ref={body}
+                style={{ transform: `translateY(${shown.top * metrics.row}px)` }}
+              >
+                {shown.lines.map((line) => (
+                  <Line key={line.key} line={line} />
+                ))}
+              </div>
             </div>
-          </div>
-        )}
+          )}
       </div>
-      {away ? (
-        <button type="button" class="lines-latest" onClick={toEnd}>
-          <Icon name="down" />
-          {missed > 0 ? texts.console.newer(formatCount(missed)) : texts.console.latest}
-        </button>
-      ) : null}
+      {away
+        ? (
+          <button type="button" class="lines-latest" onClick={toEnd}>
+            <Icon name="down" />
+            {missed > 0 ? texts.console.newer(formatCount(missed)) : texts.console.latest}
+          </button>
+        )
+        : null}
     </div>
   );
 }
@@ -171,29 +172,29 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
 const namesPlace = (text: string): boolean => text.includes('File "/ros/');
 
 /** One line. Its text never changes, so it is drawn once. */
-class Line extends Component<{ readonly line: DisplayLine }> {
-  override shouldComponentUpdate(next: { readonly line: DisplayLine }): boolean {
+class Line extends Component<{ readonly line: DisplayLine; }> {
+  override shouldComponentUpdate(next: { readonly line: DisplayLine; }): boolean {
     return next.line !== this.props.line;
   }
 
-  override render({ line }: { readonly line: DisplayLine }) {
+  override render({ line }: { readonly line: DisplayLine; }) {
     return (
       <div class={line.level === null ? 'line' : `line level-${line.level}`}>
         {line.prefix === '' ? null : <span class="line-prefix">{line.prefix}</span>}
         {line.parts === null
           ? (line.spans ?? []).map((span) => {
-              const classes = styleClasses(span.style);
-              if (classes === '' && namesPlace(span.text)) return <PlaceText text={span.text} />;
-              return classes === '' ? span.text : <span class={classes}>{span.text}</span>;
-            })
+            const classes = styleClasses(span.style);
+            if (classes === '' && namesPlace(span.text)) return <PlaceText text={span.text} />;
+            return classes === '' ? span.text : <span class={classes}>{span.text}</span>;
+          })
           : [
-              <span class="line-level">{`[${line.parts.level}]`}</span>,
-              <span class="line-stamp">{` ${line.parts.stamp} `}</span>,
-              <span class="line-logger">{`${line.parts.logger}: `}</span>,
-              <span class="line-message">
-                {namesPlace(line.parts.message) ? <PlaceText text={line.parts.message} /> : line.parts.message}
-              </span>,
-            ]}
+            <span class="line-level">{`[${line.parts.level}]`}</span>,
+            <span class="line-stamp">{` ${line.parts.stamp} `}</span>,
+            <span class="line-logger">{`${line.parts.logger}: `}</span>,
+            <span class="line-message">
+              {namesPlace(line.parts.message) ? <PlaceText text={line.parts.message} /> : line.parts.message}
+            </span>,
+          ]}
       </div>
     );
   }

@@ -11,12 +11,12 @@ import { parameterText, readParameter } from '../model/parameter_text.ts';
 import { problemOf } from '../model/problem.ts';
 import { codecOf } from './message_feed.ts';
 
-const kMostText = 16_384;
-const kMostParameters = 256;
+const MOST_TEXT = 16_384;
+const MOST_PARAMETERS = 256;
 /** A node that does not answer keeps nobody from a link. */
-const kAnswerMs = 1500;
+const ANSWER_MS = 1500;
 /** rcl_interfaces/msg/ParameterType: their text is cut. */
-const kBytes = 5;
+const BYTES = 5;
 
 export interface LinkedParameter {
   readonly node: string;
@@ -29,7 +29,7 @@ export interface LinkedParameter {
 export function readLinkedParameters(text: string): readonly LinkedParameter[] {
   let nodes: unknown;
   try {
-    nodes = text.length > kMostText ? null : JSON.parse(text);
+    nodes = text.length > MOST_TEXT ? null : JSON.parse(text);
   } catch {
     return [];
   }
@@ -42,7 +42,7 @@ export function readLinkedParameters(text: string): readonly LinkedParameter[] {
       if (typeof type === 'number' && typeof value === 'string' && name !== '') found.push({ node, name, type, text: value });
     }
   }
-  return found.slice(0, kMostParameters);
+  return found.slice(0, MOST_PARAMETERS);
 }
 
 /** The present values of all that was set, for a link; null when nothing was. */
@@ -50,13 +50,13 @@ export async function linkedParameters(session: Session): Promise<string | null>
   const nodes = await Promise.all(
     [...setParameters(session)].map(async ([node, set]): Promise<readonly [string, unknown]> => {
       const names = [...set].sort();
-      const caller: Caller = { session, codec: () => codecOf(session), signal: AbortSignal.timeout(kAnswerMs) };
+      const caller: Caller = { session, codec: () => codecOf(session), signal: AbortSignal.timeout(ANSWER_MS) };
       // A node that has gone has no values.
       const values = await valuesOf(caller, node, names).catch(() => []);
       return [node, Object.fromEntries(names.flatMap((name, at) => {
         const value = values[at];
         const type = Number(value?.['type'] ?? 0);
-        return value === undefined || type === 0 || type === kBytes ? [] : [[name, [type, parameterText(value)]]];
+        return value === undefined || type === 0 || type === BYTES ? [] : [[name, [type, parameterText(value)]]];
       }))];
     }),
   );

@@ -26,7 +26,7 @@ export interface MarkdownProps {
 
 type Context = Omit<MarkdownProps, 'text'>;
 
-const kMostDepth = 60;
+const MOST_DEPTH = 60;
 
 export function MarkdownView({ text, ...context }: MarkdownProps) {
   const tokens = readMarkdown(text);
@@ -39,7 +39,7 @@ function blocks(
   context: Context,
   depth: number,
 ): ComponentChildren {
-  if (depth > kMostDepth) return null;
+  if (depth > MOST_DEPTH) return null;
   return (tokens ?? []).map((token) => element(token as Tokens.Generic, context, depth + 1));
 }
 
@@ -107,14 +107,16 @@ function anchor(context: Context, id: string): string {
 function list(token: Tokens.List, context: Context, depth: number): ComponentChildren {
   const items = token.items.map((item) => (
     <li class={item.task ? 'text-task' : ''}>
-      {item.task ? (
-        <span>
-          <span aria-hidden="true">{item.checked === true ? '\u2611 ' : '\u2610 '}</span>
-          <span class="visually-hidden">
-            {item.checked === true ? panelTexts.text.done : panelTexts.text.open}
+      {item.task
+        ? (
+          <span>
+            <span aria-hidden="true">{item.checked === true ? '\u2611 ' : '\u2610 '}</span>
+            <span class="visually-hidden">
+              {item.checked === true ? panelTexts.text.done : panelTexts.text.open}
+            </span>
           </span>
-        </span>
-      ) : null}
+        )
+        : null}
       {blocks(item.tokens, context, depth)}
     </li>
   ));
@@ -129,7 +131,7 @@ function table(token: Tokens.Table, context: Context, depth: number): ComponentC
         tag,
         { class: cell.align === null ? '' : `text-${cell.align}` },
         blocks(cell.tokens, context, depth),
-      ),
+      )
     );
   return (
     <div class="text-table" role="group" aria-label={panelTexts.text.table} tabIndex={0}>
@@ -148,7 +150,7 @@ function table(token: Tokens.Table, context: Context, depth: number): ComponentC
 }
 
 /** Files that a browser would open as pages of the site, with their scripts. */
-const kDocument = /\.(?:x?html?|xht|svgz?|xml|xsl)$/i;
+const DOCUMENT = /\.(?:x?html?|xht|svgz?|xml|xsl)$/i;
 
 function link(href: string, words: ComponentChildren, context: Context): ComponentChildren {
   if (isPageAction(href)) {
@@ -190,13 +192,15 @@ function link(href: string, words: ComponentChildren, context: Context): Compone
     );
   }
   const path = sitePath(context.file, href);
-  return path !== null && context.files.has(path) ? (
-    <a href={encodeURI(path)} target="_blank" rel="noopener" download={kDocument.test(path)}>
-      {words}
-    </a>
-  ) : (
-    <span title={href}>{words}</span>
-  );
+  return path !== null && context.files.has(path)
+    ? (
+      <a href={encodeURI(path)} target="_blank" rel="noopener" download={DOCUMENT.test(path)}>
+        {words}
+      </a>
+    )
+    : (
+      <span title={href}>{words}</span>
+    );
 }
 
 function image(token: Tokens.Image, context: Context): ComponentChildren {
@@ -207,7 +211,7 @@ function image(token: Tokens.Image, context: Context): ComponentChildren {
 }
 
 /** At once where the file lies beside the page. */
-function SiteImage({ path, words }: { readonly path: string; readonly words: string }) {
+function SiteImage({ path, words }: { readonly path: string; readonly words: string; }) {
   const [address, setAddress] = useState(addressBeside(path));
   useEffect(() => {
     // One that cannot be had leaves its words.
@@ -218,10 +222,10 @@ function SiteImage({ path, words }: { readonly path: string; readonly words: str
 
 /** The lexer keeps `\*` as an escape token, and leaves entities such as `&amp;` for a browser to read. */
 function unescaped(token: Tokens.Generic): string {
-  return plain(token['text']).replace(/&(?:amp|lt|gt|quot|#39);/g, (entity) => kEntities[entity] ?? entity);
+  return plain(token['text']).replace(/&(?:amp|lt|gt|quot|#39);/g, (entity) => ENTITIES[entity] ?? entity);
 }
 
-const kEntities: Readonly<Record<string, string>> = {
+const ENTITIES: Readonly<Record<string, string>> = {
   '&amp;': '&',
   '&lt;': '<',
   '&gt;': '>',

@@ -2,11 +2,11 @@
 
 import type { PagePublisher } from '../../contract/session.ts';
 
-const kMatchMs = 1000;
+const MATCH_MS = 1000;
 
 /** Until a subscription has found it; no longer than a while. */
 export async function matched(publisher: PagePublisher): Promise<void> {
-  const end = performance.now() + kMatchMs;
+  const end = performance.now() + MATCH_MS;
   while (publisher.matched() === 0 && performance.now() < end)
     await new Promise((go) => setTimeout(go, 20));
 }

@@ -6,22 +6,72 @@ import { useEffect, useState } from 'preact/hooks';
 
 type Temml = typeof import('temml').default;
 
-const kElements: ReadonlySet<string> = new Set([
-  'math', 'semantics', 'mrow', 'mi', 'mn', 'mo', 'ms', 'mtext', 'mspace', 'mfrac', 'msqrt', 'mroot', 'mstyle', 'mpadded',
-  'mphantom', 'menclose', 'msub', 'msup', 'msubsup', 'munder', 'mover', 'munderover', 'mmultiscripts', 'mprescripts',
-  'mtable', 'mtr', 'mtd', 'merror',
+const ELEMENTS: ReadonlySet<string> = new Set([
+  'math',
+  'semantics',
+  'mrow',
+  'mi',
+  'mn',
+  'mo',
+  'ms',
+  'mtext',
+  'mspace',
+  'mfrac',
+  'msqrt',
+  'mroot',
+  'mstyle',
+  'mpadded',
+  'mphantom',
+  'menclose',
+  'msub',
+  'msup',
+  'msubsup',
+  'munder',
+  'mover',
+  'munderover',
+  'mmultiscripts',
+  'mprescripts',
+  'mtable',
+  'mtr',
+  'mtd',
+  'merror',
 ]);
-const kAttributes: ReadonlySet<string> = new Set([
-  'display', 'mathvariant', 'stretchy', 'fence', 'separator', 'lspace', 'rspace', 'width', 'height', 'depth', 'voffset',
-  'accent', 'accentunder', 'movablelimits', 'largeop', 'symmetric', 'minsize', 'maxsize', 'columnalign', 'rowspacing',
-  'columnspacing', 'columnlines', 'rowlines', 'linethickness', 'displaystyle', 'scriptlevel', 'notation', 'form',
+const ATTRIBUTES: ReadonlySet<string> = new Set([
+  'display',
+  'mathvariant',
+  'stretchy',
+  'fence',
+  'separator',
+  'lspace',
+  'rspace',
+  'width',
+  'height',
+  'depth',
+  'voffset',
+  'accent',
+  'accentunder',
+  'movablelimits',
+  'largeop',
+  'symmetric',
+  'minsize',
+  'maxsize',
+  'columnalign',
+  'rowspacing',
+  'columnspacing',
+  'columnlines',
+  'rowlines',
+  'linethickness',
+  'displaystyle',
+  'scriptlevel',
+  'notation',
+  'form',
 ]);
-const kMostDepth = 100;
+const MOST_DEPTH = 100;
 /** Without a font for formulas an index of low letters would not be lowered: it is made as high as its line. */
-const kLowered: ReadonlySet<string> = new Set(['msub', 'msubsup']);
-const kStrut = '0.8em';
+const LOWERED: ReadonlySet<string> = new Set(['msub', 'msubsup']);
+const STRUT = '0.8em';
 
-export function MathView({ tex, block }: { readonly tex: string; readonly block: boolean }) {
+export function MathView({ tex, block }: { readonly tex: string; readonly block: boolean; }) {
   const [temml, setTemml] = useState<Temml | null>(null);
   useEffect(() => {
     let current = true;
@@ -58,7 +108,7 @@ function formulaOf(temml: Temml, tex: string, block: boolean): ComponentChildren
 }
 
 function elementOf(node: unknown, depth: number): ComponentChildren {
-  if (typeof node !== 'object' || node === null || depth > kMostDepth) return null;
+  if (typeof node !== 'object' || node === null || depth > MOST_DEPTH) return null;
   const { type, text, attributes, children } = node as {
     readonly type?: unknown;
     readonly text?: unknown;
@@ -66,14 +116,12 @@ function elementOf(node: unknown, depth: number): ComponentChildren {
     readonly children?: unknown;
   };
   if (typeof text === 'string') return text;
-  const inside = (Array.isArray(children) ? children : []).map((child: unknown) =>
-    elementOf(child, depth + 1),
-  );
-  if (typeof type !== 'string' || !kElements.has(type)) return inside;
+  const inside = (Array.isArray(children) ? children : []).map((child: unknown) => elementOf(child, depth + 1));
+  if (typeof type !== 'string' || !ELEMENTS.has(type)) return inside;
   const kept = Object.entries(
     typeof attributes === 'object' && attributes !== null ? attributes : {},
-  ).filter(([name, value]) => kAttributes.has(name) && typeof value === 'string');
+  ).filter(([name, value]) => ATTRIBUTES.has(name) && typeof value === 'string');
   const [base, below, ...others] = inside;
-  const parts = kLowered.has(type) ? [base, createElement('mrow', null, below, createElement('mspace', { height: kStrut })), ...others] : inside;
+  const parts = LOWERED.has(type) ? [base, createElement('mrow', null, below, createElement('mspace', { height: STRUT })), ...others] : inside;
   return createElement(type, Object.fromEntries(kept), ...parts);
 }

@@ -30,7 +30,7 @@ export interface MenuButtonProps {
   readonly search?: string;
 }
 
-const kMargin = 8;
+const MARGIN = 8;
 
 export function MenuButton({ icon, label, words, items, class: extra, search }: MenuButtonProps) {
   const [open, setOpen] = useState(false);
@@ -84,15 +84,15 @@ function Menu({ label, items, search, anchor, close }: MenuProps) {
     const box = list.current;
     if (box === null || anchor === null) return;
     const at = anchor.getBoundingClientRect();
-    const left = Math.min(at.left, innerWidth - box.offsetWidth - kMargin);
-    const below = innerHeight - at.bottom - kMargin;
-    box.style.left = `${Math.max(kMargin, left)}px`;
+    const left = Math.min(at.left, innerWidth - box.offsetWidth - MARGIN);
+    const below = innerHeight - at.bottom - MARGIN;
+    box.style.left = `${Math.max(MARGIN, left)}px`;
     if (below >= Math.min(box.scrollHeight, 160)) {
       box.style.top = `${at.bottom + 2}px`;
       box.style.maxHeight = `${below}px`;
     } else {
       box.style.bottom = `${innerHeight - at.top + 2}px`;
-      box.style.maxHeight = `${at.top - kMargin}px`;
+      box.style.maxHeight = `${at.top - MARGIN}px`;
     }
     entries()[0]?.focus();
   }, []);
@@ -131,9 +131,8 @@ function Menu({ label, items, search, anchor, close }: MenuProps) {
     if (writes && event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return;
     const letter = event.key.length === 1 ? event.key.toLowerCase() : '';
     const after = [...all.slice(at + 1), ...all.slice(0, at + 1)];
-    const target =
-      all[targets[event.key] ?? -1] ??
-      (letter === '' || letter === ' '
+    const target = all[targets[event.key] ?? -1]
+      ?? (letter === '' || letter === ' '
         ? undefined
         : after.find((entry) => entry.textContent.trim().toLowerCase().startsWith(letter)));
     if (target === undefined) return;

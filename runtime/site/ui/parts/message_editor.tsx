@@ -11,7 +11,7 @@ import { panelTexts } from '../texts_panels.ts';
 import { IconButton } from './button.tsx';
 
 /** Longer lists are edited as YAML. */
-const kMostItems = 64;
+const MOST_ITEMS = 64;
 
 export interface MessageEditorProps {
   readonly codec: Codec;
@@ -70,26 +70,30 @@ export function MessageEditor({ codec, type, draft, onChange, label }: MessageEd
           {panelTexts.editor.yaml}
         </button>
       </div>
-      {draft.view === 'yaml' ? (
-        <textarea
-          class="editor-text"
-          rows={8}
-          spellcheck={false}
-          aria-label={panelTexts.editor.yamlOf(label)}
-          value={draft.text}
-          onInput={(event) => onChange({ view: 'yaml', text: event.currentTarget.value })}
-        />
-      ) : shape.length === 0 ? (
-        <p class="hint">{panelTexts.editor.empty}</p>
-      ) : (
-        <Fields
-          shape={shape}
-          value={draft.value}
-          path=""
-          label={label}
-          onChange={(value) => onChange({ view: 'form', value })}
-        />
-      )}
+      {draft.view === 'yaml'
+        ? (
+          <textarea
+            class="editor-text"
+            rows={8}
+            spellcheck={false}
+            aria-label={panelTexts.editor.yamlOf(label)}
+            value={draft.text}
+            onInput={(event) => onChange({ view: 'yaml', text: event.currentTarget.value })}
+          />
+        )
+        : shape.length === 0
+        ? (
+          <p class="hint">{panelTexts.editor.empty}</p>
+        )
+        : (
+          <Fields
+            shape={shape}
+            value={draft.value}
+            path=""
+            label={label}
+            onChange={(value) => onChange({ view: 'form', value })}
+          />
+        )}
       {problem === '' ? null : (
         <p class="hint" role="alert">
           {problem}
@@ -159,29 +163,33 @@ function FieldEditor(props: FieldEditorProps) {
       <span class="editor-name">
         {name} <span class="editor-type">{field.type}</span>
       </span>
-      {field.type === 'bool' ? (
-        <input
-          type="checkbox"
-          aria-label={panelTexts.editor.field(label, path)}
-          checked={value === true}
-          onChange={(event) => onChange(event.currentTarget.checked)}
-        />
-      ) : field.type === 'string' || field.type === 'wstring' ? (
-        <input
-          type="text"
-          class="field"
-          aria-label={panelTexts.editor.field(label, path)}
-          value={typeof value === 'string' ? value : numberText(value)}
-          onInput={(event) => onChange(event.currentTarget.value)}
-        />
-      ) : (
-        <NumberInput
-          type={field.type}
-          label={panelTexts.editor.field(label, path)}
-          value={value}
-          onChange={onChange}
-        />
-      )}
+      {field.type === 'bool'
+        ? (
+          <input
+            type="checkbox"
+            aria-label={panelTexts.editor.field(label, path)}
+            checked={value === true}
+            onChange={(event) => onChange(event.currentTarget.checked)}
+          />
+        )
+        : field.type === 'string' || field.type === 'wstring'
+        ? (
+          <input
+            type="text"
+            class="field"
+            aria-label={panelTexts.editor.field(label, path)}
+            value={typeof value === 'string' ? value : numberText(value)}
+            onInput={(event) => onChange(event.currentTarget.value)}
+          />
+        )
+        : (
+          <NumberInput
+            type={field.type}
+            label={panelTexts.editor.field(label, path)}
+            value={value}
+            onChange={onChange}
+          />
+        )}
     </label>
   );
 }
@@ -225,30 +233,32 @@ function TimeEditor({ field, name, value, path, label, onChange }: FieldEditorPr
       <legend>
         {name} <span class="editor-type">{field.type}</span>
       </legend>
-      {field.type === 'time' ? (
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={now}
-            aria-label={panelTexts.editor.now(label, path)}
-            onChange={(event) => onChange(event.currentTarget.checked ? 'now' : { sec: 0, nanosec: 0 })}
-          />
-          <span aria-hidden="true">{panelTexts.editor.nowShort}</span>
-        </label>
-      ) : null}
+      {field.type === 'time'
+        ? (
+          <label class="check">
+            <input
+              type="checkbox"
+              checked={now}
+              aria-label={panelTexts.editor.now(label, path)}
+              onChange={(event) => onChange(event.currentTarget.checked ? 'now' : { sec: 0, nanosec: 0 })}
+            />
+            <span aria-hidden="true">{panelTexts.editor.nowShort}</span>
+          </label>
+        )
+        : null}
       {now
         ? null
         : ['sec', 'nanosec'].map((part) => (
-            <label class="editor-field" key={part}>
-              <span class="editor-name">{part}</span>
-              <NumberInput
-                type="int32"
-                label={panelTexts.editor.field(label, `${path}.${part}`)}
-                value={parts[part]}
-                onChange={(next) => onChange({ ...parts, [part]: next })}
-              />
-            </label>
-          ))}
+          <label class="editor-field" key={part}>
+            <span class="editor-name">{part}</span>
+            <NumberInput
+              type="int32"
+              label={panelTexts.editor.field(label, `${path}.${part}`)}
+              value={parts[part]}
+              onChange={(next) => onChange({ ...parts, [part]: next })}
+            />
+          </label>
+        ))}
     </fieldset>
   );
 }
@@ -257,15 +267,14 @@ function ListEditor({ field, name, value, path, label, onChange }: FieldEditorPr
   const items = Array.isArray(value) ? (value as readonly unknown[]) : [];
   const one: Field = { ...field, isArray: false };
   const fixed = field.length !== undefined;
-  const most = Math.min(field.mostItems ?? kMostItems, kMostItems);
+  const most = Math.min(field.mostItems ?? MOST_ITEMS, MOST_ITEMS);
   return (
     <fieldset class="editor-group">
       <legend>
-        {name}{' '}
-        <span class="editor-type">{panelTexts.editor.list(field.type, items.length)}</span>
+        {name} <span class="editor-type">{panelTexts.editor.list(field.type, items.length)}</span>
       </legend>
-      {items.length > kMostItems ? <p class="hint">{panelTexts.editor.long}</p> : null}
-      {items.slice(0, kMostItems).map((item, index) => (
+      {items.length > MOST_ITEMS ? <p class="hint">{panelTexts.editor.long}</p> : null}
+      {items.slice(0, MOST_ITEMS).map((item, index) => (
         <div class="editor-item">
           <FieldEditor
             field={one}

@@ -6,7 +6,7 @@ import type { MessageInfo, Session, TopicView, Unsubscribe } from '../../contrac
 import type { Codec, Decoded } from '../../decode/codec.ts';
 import { problemOf } from '../model/problem.ts';
 
-const kDepth = 200;
+const DEPTH = 200;
 
 const codecs = new WeakMap<Session, Promise<Codec>>();
 
@@ -110,7 +110,7 @@ export function feedBytes(
       {
         reliability: reliable ? 'reliable' : 'best_effort',
         durability: latched ? 'transient_local' : 'volatile',
-        depth: kDepth,
+        depth: DEPTH,
         past,
       },
       (bytes, info) => listener(bytes, type, info),

@@ -1,7 +1,7 @@
 // A message as a tree that reads like the YAML of `ros2 topic echo`. Long arrays are folded and cut. On request: what
 // has changed since an earlier message, and fields that can be chosen, by mouse or with the arrow keys.
 
-import { fieldOf, formatScalar, isList, isMessage, kTruncateLength } from '../../decode/yaml.ts';
+import { fieldOf, formatScalar, isList, isMessage, TRUNCATE_LENGTH } from '../../decode/yaml.ts';
 import { isFloat } from '../../decode/shape.ts';
 import type { Field, Shape } from '../../decode/shape.ts';
 import { partOf, sameValue } from '../model/message_change.ts';
@@ -10,12 +10,12 @@ import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';
 
 /** Texts are shown up to this length: longer ones than in a terminal, since here they wrap. */
-const kTextLength = 2000;
+const TEXT_LENGTH = 2000;
 /** Lists up to this length, and messages up to this depth, are open at first. */
-const kOpenLength = 12;
-const kOpenDepth = 3;
+const OPEN_LENGTH = 12;
+const OPEN_DEPTH = 3;
 /** Upper bound of the length of an earlier value beside the present one. */
-const kWasLength = 80;
+const WAS_LENGTH = 80;
 
 /** The message with which the tree is compared, and the words for differences. */
 export interface TreeChange {
@@ -51,20 +51,22 @@ interface Context {
 export function MessageTree({ label, value, shape, change, choice }: MessageTreeProps) {
   return (
     <div class="tree" role="group" aria-label={label} tabIndex={0} onKeyDown={choice === undefined ? undefined : moveFocus}>
-      {isMessage(value) ? (
-        <Fields
-          // Each view has its own opened and closed parts.
-          key={change?.only === true ? 'changed' : 'all'}
-          message={value}
-          shape={shape}
-          depth={0}
-          path={choice?.topic ?? ''}
-          before={change?.before}
-          context={{ change, choice }}
-        />
-      ) : (
-        <Scalar value={value} float={false} />
-      )}
+      {isMessage(value)
+        ? (
+          <Fields
+            // Each view has its own opened and closed parts.
+            key={change?.only === true ? 'changed' : 'all'}
+            message={value}
+            shape={shape}
+            depth={0}
+            path={choice?.topic ?? ''}
+            before={change?.before}
+            context={{ change, choice }}
+          />
+        )
+        : (
+          <Scalar value={value} float={false} />
+        )}
     </div>
   );
 }
@@ -97,7 +99,7 @@ function Fields({
   path,
   before,
   context,
-}: Place & { readonly message: Readonly<Record<string, unknown>>; readonly shape: Shape | null }) {
+}: Place & { readonly message: Readonly<Record<string, unknown>>; readonly shape: Shape | null; }) {
   const entries = Object.entries(message);
   if (entries.length === 0) return <span class="tree-value">{'{}'}</span>;
   return (
@@ -133,7 +135,7 @@ function Entry({ name, value, field, depth, path, before, context }: EntryProps)
   const key = <span class="tree-key">{`${name}:`}</span>;
   if (isList(value) && value.length > 0) {
     return (
-      <details class="tree-branch" open={open || (value.length <= kOpenLength && depth < kOpenDepth)}>
+      <details class="tree-branch" open={open || (value.length <= OPEN_LENGTH && depth < OPEN_DEPTH)}>
         <summary title={field?.type}>
           <Icon name="chevron" class="tree-turn" />
           {key}{' '}
@@ -148,7 +150,7 @@ function Entry({ name, value, field, depth, path, before, context }: EntryProps)
   }
   if (isMessage(value) && Object.keys(value).length > 0) {
     return (
-      <details class="tree-branch" open={open || depth < kOpenDepth}>
+      <details class="tree-branch" open={open || depth < OPEN_DEPTH}>
         <summary title={field?.type}>
           <Icon name="chevron" class="tree-turn" />
           {key}
@@ -183,27 +185,29 @@ function Leaf({
   const raw = typeof value === 'object';
   return (
     <div class={`tree-leaf ${changed ? 'tree-changed' : ''}`} title={field?.type}>
-      {choice === undefined ? (
-        <span class="tree-key">{name}</span>
-      ) : (
-        <button
-          type="button"
-          class="tree-key tree-pick"
-          tabIndex={-1}
-          aria-label={path}
-          aria-pressed={choice.path === path}
-          onClick={() => choice.choose(path, value)}
-        >
-          {name}
-        </button>
-      )}{' '}
+      {choice === undefined
+        ? (
+          <span class="tree-key">{name}</span>
+        )
+        : (
+          <button
+            type="button"
+            class="tree-key tree-pick"
+            tabIndex={-1}
+            aria-label={path}
+            aria-pressed={choice.path === path}
+            onClick={() => choice.choose(path, value)}
+          >
+            {name}
+          </button>
+        )}{' '}
       <Scalar
         value={isList(value) ? '[]' : isMessage(value) ? '{}' : value}
         float={isFloat(field)}
         raw={raw}
       />
       {!changed || before === undefined || typeof before === 'object' ? null : (
-        <span class="tree-was"> {change.was(formatScalar(before, kWasLength, '', isFloat(field)))}</span>
+        <span class="tree-was">{change.was(formatScalar(before, WAS_LENGTH, '', isFloat(field)))}</span>
       )}
     </div>
   );
@@ -216,30 +220,34 @@ function List({
   path,
   before,
   context,
-}: Place & { readonly list: ArrayLike<unknown>; readonly field: Field | undefined }) {
+}: Place & { readonly list: ArrayLike<unknown>; readonly field: Field | undefined; }) {
   const shown: number[] = [];
   let count = 0;
   for (let index = 0; index < list.length; index += 1) {
     if (context.change?.only === true && sameValue(list[index], partOf(before, index))) continue;
     count += 1;
-    if (shown.length < kTruncateLength) shown.push(index);
+    if (shown.length < TRUNCATE_LENGTH) shown.push(index);
   }
   return (
     <div class="tree-inside">
       {shown.map((index) => {
         const place = { path: `${path}[${index}]`, before: partOf(before, index), context, field };
         const item = list[index];
-        return isMessage(item) ? (
-          <Entry key={index} name={`- ${index}`} value={item} depth={depth} {...place} />
-        ) : (
-          <Leaf key={index} name={context.change?.only === true ? `- ${index}:` : '-'} value={item} {...place} />
-        );
+        return isMessage(item)
+          ? (
+            <Entry key={index} name={`- ${index}`} value={item} depth={depth} {...place} />
+          )
+          : (
+            <Leaf key={index} name={context.change?.only === true ? `- ${index}:` : '-'} value={item} {...place} />
+          );
       })}
-      {shown.length < count ? (
-        <div class="tree-note">
-          {texts.topics.shownOf(formatCount(shown.length), formatCount(count))}
-        </div>
-      ) : null}
+      {shown.length < count
+        ? (
+          <div class="tree-note">
+            {texts.topics.shownOf(formatCount(shown.length), formatCount(count))}
+          </div>
+        )
+        : null}
     </div>
   );
 }
@@ -253,6 +261,6 @@ function Scalar({
   readonly float: boolean;
   readonly raw?: boolean;
 }) {
-  const text = raw === true ? String(value) : formatScalar(value, kTextLength, '', float);
+  const text = raw === true ? String(value) : formatScalar(value, TEXT_LENGTH, '', float);
   return <span class={`tree-value tree-${typeof value}`}>{text}</span>;
 }

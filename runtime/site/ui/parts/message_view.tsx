@@ -11,7 +11,7 @@ export interface MessageViewProps {
   readonly title: string;
   /** Beside the title: when it came, how large it is. */
   readonly facts?: string;
-  readonly message: Extract<Decoded, { readonly kind: 'value' }>;
+  readonly message: Extract<Decoded, { readonly kind: 'value'; }>;
   /** The label of the tree and of the button. */
   readonly label: string;
   readonly copyLabel: string;

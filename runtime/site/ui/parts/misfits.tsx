@@ -4,7 +4,7 @@ import type { Misfit } from '../model/topic_qos.ts';
 import { topicTexts } from '../texts_topics.ts';
 import { Icon } from './icon.tsx';
 
-export function Misfits({ list }: { readonly list: readonly Misfit[] }) {
+export function Misfits({ list }: { readonly list: readonly Misfit[]; }) {
   return (
     <>
       {list.map(({ publisher, subscription, policy }, index) => (

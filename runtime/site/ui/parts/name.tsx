@@ -1,6 +1,6 @@
 // A name with slashes and underscores (topic, type, package), which may break after them when room is short.
 
-export function Name({ text }: { readonly text: string }) {
+export function Name({ text }: { readonly text: string; }) {
   return (
     <>
       {text

@@ -51,15 +51,15 @@ export function stateLook(state: NodeState): StateLook {
 }
 
 /** Its worker runs, its interpreter does not yet. */
-const kLoading: StateLook = { words: texts.state.loading, icon: 'arc', tone: 'busy' };
+const LOADING: StateLook = { words: texts.state.loading, icon: 'arc', tone: 'busy' };
 
 /** Whether stopping makes sense. */
 export function isAlive(state: NodeState): boolean {
   return state.kind === 'starting' || state.kind === 'running';
 }
 
-export function StateBadge({ node: { state, loading } }: { readonly node: Pick<NodeView, 'state' | 'loading'> }) {
-  const look = state.kind === 'running' && loading === true ? kLoading : stateLook(state);
+export function StateBadge({ node: { state, loading } }: { readonly node: Pick<NodeView, 'state' | 'loading'>; }) {
+  const look = state.kind === 'running' && loading === true ? LOADING : stateLook(state);
   return (
     <span class={`state state-${look.tone}`}>
       <Icon name={look.icon} class={look.tone === 'busy' ? 'turning' : ''} />

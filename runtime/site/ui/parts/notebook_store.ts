@@ -3,13 +3,13 @@
 import type { KernelEvent, NodeState, NotebookKernel, Session, Unsubscribe } from '../../contract/session.ts';
 import { noOutputs, withEvent } from '../model/cell_outputs.ts';
 import type { ShownOutputs } from '../model/cell_outputs.ts';
-import { kMostCells, kMostNotebook, newCell, readNotebook, writeNotebook } from '../model/notebook.ts';
+import { MOST_CELLS, MOST_NOTEBOOK, newCell, readNotebook, writeNotebook } from '../model/notebook.ts';
 import type { CellKind, Notebook, NotebookCell } from '../model/notebook.ts';
 import { problemOf } from '../model/problem.ts';
 import { viewTexts } from '../texts_views.ts';
 import { forgetNotebook, keepNotebook, keptNotebook } from './stored_notebook.ts';
 
-const kKeepAfterMs = 400;
+const KEEP_AFTER_MS = 400;
 
 export interface NotebookView {
   /** null: not read yet. */
@@ -22,7 +22,7 @@ export interface NotebookView {
   /** Keys of those that come next. */
   readonly queued: ReadonlySet<string>;
   /** The cell that waits for standard input, and its prompt. */
-  readonly asks: { readonly cell: string; readonly prompt: string } | null;
+  readonly asks: { readonly cell: string; readonly prompt: string; } | null;
   /** Other than packed: kept by the browser, not yet or not at all. */
   readonly change: 'none' | 'pending' | 'kept' | 'lost';
 }
@@ -107,7 +107,7 @@ export class NotebookStore {
     if (notebook === null) return;
     this.set({ notebook: { ...notebook, cells }, change: 'pending' });
     // Not later for each output: a cell that prints without end is kept too.
-    this.timer ??= setTimeout(() => this.keepNow(), kKeepAfterMs);
+    this.timer ??= setTimeout(() => this.keepNow(), KEEP_AFTER_MS);
   }
 
   private setCell(key: string, change: Partial<NotebookCell>): void {
@@ -119,7 +119,7 @@ export class NotebookStore {
     this.stopTimer();
     if (change !== 'pending' || notebook === null) return;
     const text = writeNotebook(notebook);
-    const keeping = text.length > kMostNotebook ? Promise.resolve(false) : keepNotebook(this.key, text);
+    const keeping = text.length > MOST_NOTEBOOK ? Promise.resolve(false) : keepNotebook(this.key, text);
     void keeping.then((kept) => {
       if (this.view.notebook === notebook) this.set({ change: kept ? 'kept' : 'lost' });
     });
@@ -142,7 +142,7 @@ export class NotebookStore {
   /** Below that cell, or at the end. Returns its key; null: there are too many. */
   add(kind: CellKind, below?: string): string | null {
     const cells = this.cells();
-    if (cells.length >= kMostCells) return null;
+    if (cells.length >= MOST_CELLS) return null;
     const cell = newCell(kind);
     const at = below === undefined ? cells.length : cells.findIndex(({ key }) => key === below) + 1;
     this.setCells([...cells.slice(0, at), cell, ...cells.slice(at)]);

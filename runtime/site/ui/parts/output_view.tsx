@@ -12,10 +12,10 @@ import { HtmlView } from './html_view.tsx';
 import { MarkdownView } from './markdown_view.tsx';
 
 /** Upper bound of the characters of a text that are drawn: those at its end. */
-const kMostDrawn = 200_000;
-const kBase64 = /^[A-Za-z0-9+/=\s]*$/;
+const MOST_DRAWN = 200_000;
+const BASE64 = /^[A-Za-z0-9+/=\s]*$/;
 
-export function OutputView({ output, instance }: { readonly output: CellOutput; readonly instance: string }) {
+export function OutputView({ output, instance }: { readonly output: CellOutput; readonly instance: string; }) {
   switch (textMember(output, 'output_type')) {
     case 'stream':
       return <Printed text={joined(output['text'])} kind={textMember(output, 'name') === 'stderr' ? 'stderr' : 'stdout'} />;
@@ -33,8 +33,8 @@ export function OutputView({ output, instance }: { readonly output: CellOutput; 
   }
 }
 
-function Printed({ text, kind }: { readonly text: string; readonly kind: 'stdout' | 'stderr' | 'error' }) {
-  const shown = text.length > kMostDrawn ? text.slice(text.indexOf('\n', text.length - kMostDrawn) + 1) : text;
+function Printed({ text, kind }: { readonly text: string; readonly kind: 'stdout' | 'stderr' | 'error'; }) {
+  const shown = text.length > MOST_DRAWN ? text.slice(text.indexOf('\n', text.length - MOST_DRAWN) + 1) : text;
   const lines = (shown.endsWith('\n') ? shown.slice(0, -1) : shown).split('\n');
   return (
     <pre class={`printed printed-${kind}`} role={kind === 'error' ? 'alert' : undefined}>
@@ -78,10 +78,16 @@ function Value({ data, metadata, instance }: ValueProps) {
   if (svg !== null) return <img class="value-image" src={svgAddress(svg)} alt={plain} />;
   for (const mime of ['image/png', 'image/jpeg', 'image/gif', 'image/webp']) {
     const bytes = form(mime);
-    if (bytes === null || !kBase64.test(bytes)) continue;
+    if (bytes === null || !BASE64.test(bytes)) continue;
     const size = isRecord(metadata) && isRecord(metadata[mime]) ? metadata[mime] : {};
     return (
-      <img class="value-image" src={`data:${mime};base64,${bytes.replace(/\s/g, '')}`} alt={plain} width={pixels(size['width'])} height={pixels(size['height'])} />
+      <img
+        class="value-image"
+        src={`data:${mime};base64,${bytes.replace(/\s/g, '')}`}
+        alt={plain}
+        width={pixels(size['width'])}
+        height={pixels(size['height'])}
+      />
     );
   }
   const json = data['application/json'];

@@ -15,7 +15,7 @@ export interface PanelFrameProps {
 }
 
 /** The open panel around a component: its key, and its title with a number when it is not the first of its kind. */
-export const OpenPanel = createContext<{ readonly key: string; readonly title: string } | null>(
+export const OpenPanel = createContext<{ readonly key: string; readonly title: string; } | null>(
   null,
 );
 
@@ -36,12 +36,14 @@ export function PanelFrame({ id, title, note, tools, children }: PanelFrameProps
       <h2 class="visually-hidden" id={`panel-${key}-title`}>
         {open?.title ?? title}
       </h2>
-      {noted || tools !== undefined ? (
-        <div class="panel-head">
-          {noted ? <span class="panel-note">{note}</span> : null}
-          {tools === undefined ? null : <div class="panel-tools">{tools}</div>}
-        </div>
-      ) : null}
+      {noted || tools !== undefined
+        ? (
+          <div class="panel-head">
+            {noted ? <span class="panel-note">{note}</span> : null}
+            {tools === undefined ? null : <div class="panel-tools">{tools}</div>}
+          </div>
+        )
+        : null}
       <div class="panel-body">{children}</div>
     </section>
   );

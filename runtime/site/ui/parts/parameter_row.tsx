@@ -14,7 +14,7 @@ import type { KnownParameter } from './parameter_store.ts';
 import { WorkProblem } from './work_problem.tsx';
 
 /** Longer texts are shown, cut, and not edited. */
-const kMostText = 10_000;
+const MOST_TEXT = 10_000;
 
 export interface ParameterRowProps {
   readonly node: string;
@@ -172,8 +172,7 @@ function Editor(props: EditorProps) {
               field === 'integer_value'
                 ? { type: 2, integer_value: BigInt(Math.round(Number(event.currentTarget.value))) }
                 : { type: 3, double_value: Number(event.currentTarget.value) },
-            )
-          }
+            )}
         />
       )}
       <TextEditor {...props} type={anyType ? 0 : field === '' ? declared : Number(value['type'])} />
@@ -184,12 +183,12 @@ function Editor(props: EditorProps) {
 const noYaml = (): ReadValue => ({ kind: 'failed', reason: '' });
 
 /** Typed text is set at Enter or when the field is left; Escape restores the value. */
-function TextEditor({ value, label, about, fixed, type, ask, setProblem }: EditorProps & { readonly type: number }) {
+function TextEditor({ value, label, about, fixed, type, ask, setProblem }: EditorProps & { readonly type: number; }) {
   const [draft, setDraft] = useState<string | null>(null);
   const [wrong, setWrong] = useState(false);
   const whole = parameterText(value);
-  const long = whole.length > kMostText;
-  const shown = draft ?? (long ? `${whole.slice(0, kMostText)}\u2026` : whole);
+  const long = whole.length > MOST_TEXT;
+  const shown = draft ?? (long ? `${whole.slice(0, MOST_TEXT)}\u2026` : whole);
   const take = async (text: string): Promise<void> => {
     const yaml = needsYaml(type) ? (await import('../../decode/read_yaml.ts')).readYaml : noYaml;
     const read = readParameter(text, type, yaml);

@@ -10,11 +10,11 @@ import type { Descriptor, SetResult } from '../../ros2cli/parameter_calls.ts';
 import type { ParameterValue } from '../../ros2cli/parameters.ts';
 import { panelTexts } from '../texts_panels.ts';
 
-const kEvents = '/parameter_events';
-const kEventType = 'rcl_interfaces/msg/ParameterEvent';
-const kDepth = 1000;
+const EVENTS = '/parameter_events';
+const EVENT_TYPE = 'rcl_interfaces/msg/ParameterEvent';
+const DEPTH = 1000;
 /** How often the names are read again when parameters disappear during the read. */
-const kTries = 3;
+const TRIES = 3;
 
 export interface KnownParameter {
   readonly value: ParameterValue;
@@ -69,8 +69,8 @@ export class ParameterStore {
     this.session = session;
     this.codec = codec;
     this.changed = changed;
-    const events = session.node().subscription(kEvents, kEventType, { depth: kDepth }, (bytes) => {
-      const decoded = codec.decode(kEventType, bytes);
+    const events = session.node().subscription(EVENTS, EVENT_TYPE, { depth: DEPTH }, (bytes) => {
+      const decoded = codec.decode(EVENT_TYPE, bytes);
       if (decoded.kind === 'value') this.heard(decoded.value as unknown as Event);
     });
     this.stops.push(() => events.close(), session.onGraph((graph) => this.follow(graph)));
@@ -127,7 +127,10 @@ export class ParameterStore {
       if (known?.gid === gid) continue;
       const entry: Entry = known ?? {
         view: { name, here: true, reading: false, problem: '', parameters: new Map() },
-        gid, turn: 0, abort: undefined, waiting: [],
+        gid,
+        turn: 0,
+        abort: undefined,
+        waiting: [],
       };
       entry.gid = gid;
       this.entries.set(name, entry);
@@ -158,7 +161,7 @@ export class ParameterStore {
   }
 
   private async all(caller: Caller, node: string): Promise<ReadonlyMap<string, KnownParameter>> {
-    for (let left = kTries; left > 0; left -= 1) {
+    for (let left = TRIES; left > 0; left -= 1) {
       const names = await namesOf(caller, node);
       if (names.length === 0) return new Map();
       const values = await valuesOf(caller, node, names);
@@ -177,7 +180,7 @@ export class ParameterStore {
     const entry = this.entries.get(event.node);
     if (entry === undefined) return;
     if (entry.view.reading) {
-      if (entry.waiting.length < kDepth) entry.waiting.push(event);
+      if (entry.waiting.length < DEPTH) entry.waiting.push(event);
       return;
     }
     this.put(entry, [...event.new_parameters, ...event.changed_parameters], event.deleted_parameters);

@@ -29,25 +29,24 @@ export interface PathListProps {
   readonly onChange: (paths: readonly string[]) => void;
 }
 
-const kMostPaths = 16;
-const kMostOffers = 400;
+const MOST_PATHS = 16;
+const MOST_OFFERS = 400;
 
 export function PathList({ session, codec, kind, instance, entries, onChange }: PathListProps) {
   const [text, setText] = useState('');
   const [problem, setProblem] = useState('');
   const topics = useTopics(session);
   const paths = entries.map((entry) => entry.path);
-  const offers =
-    codec === null || typeof codec === 'string'
-      ? []
-      : topics
-          .filter((topic) => !isHiddenTopic(topic.name) && topic.type !== '')
-          .flatMap((topic) => {
-            const type = codec.types.get(topic.type);
-            return typeof type === 'string' ? [] : pathsOf(topic.name, type.shape, kind);
-          })
-          .filter((path) => !paths.includes(path))
-          .slice(0, kMostOffers);
+  const offers = codec === null || typeof codec === 'string'
+    ? []
+    : topics
+      .filter((topic) => !isHiddenTopic(topic.name) && topic.type !== '')
+      .flatMap((topic) => {
+        const type = codec.types.get(topic.type);
+        return typeof type === 'string' ? [] : pathsOf(topic.name, type.shape, kind);
+      })
+      .filter((path) => !paths.includes(path))
+      .slice(0, MOST_OFFERS);
   const add = (wanted: string): void => {
     const path = wanted.trim();
     if (parseFieldPath(path) === null) {
@@ -56,7 +55,7 @@ export function PathList({ session, codec, kind, instance, entries, onChange }: 
     }
     setProblem('');
     setText('');
-    if (!paths.includes(path) && paths.length < kMostPaths) onChange([...paths, path]);
+    if (!paths.includes(path) && paths.length < MOST_PATHS) onChange([...paths, path]);
   };
   const list = `paths-${instance}`;
   return (

@@ -3,7 +3,7 @@
 
 import { useMemo, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
-import { kPictureLimits } from '../model/camera.ts';
+import { PICTURE_LIMITS } from '../model/camera.ts';
 import type { Camera } from '../model/camera.ts';
 import type { PointerKeys, PointerKind } from '../model/cv_windows.ts';
 import type { Point, Size } from '../model/graph_layout.ts';
@@ -25,13 +25,13 @@ export interface PictureViewProps {
   readonly takesPointer?: (kind: PointerKind, x: number, y: number, event: PointerKeys) => boolean;
 }
 
-const kZoom = 1.5;
+const ZOOM = 1.5;
 /** Pixels of the page for one press. */
-const kMove = 40;
+const MOVE = 40;
 /** A pixel of the picture that is smaller is marked by a square of that size. */
-const kLeastMark = 7;
+const LEAST_MARK = 7;
 
-const kSteps: ReadonlyMap<string, readonly [number, number]> = new Map([
+const STEPS: ReadonlyMap<string, readonly [number, number]> = new Map([
   ['ArrowRight', [1, 0]],
   ['ArrowLeft', [-1, 0]],
   ['ArrowUp', [0, -1]],
@@ -42,7 +42,7 @@ export function PictureView({ canvas, size, label, wordsAt, announce, takesKey, 
   const host = useRef<HTMLDivElement>(null);
   const { width, height } = size ?? { width: 1, height: 1 };
   const bounds = useMemo(() => ({ x: width / 2, y: height / 2, width, height }), [width, height]);
-  const control = useCamera(host, bounds, kPictureLimits);
+  const control = useCamera(host, bounds, PICTURE_LIMITS);
   const { camera, view } = control;
   const [near, setNear] = useState<Point | null>(null);
   const [chosen, setChosen] = useState<Point | null>(null);
@@ -83,12 +83,12 @@ export function PictureView({ canvas, size, label, wordsAt, announce, takesKey, 
       event.preventDefault();
       return;
     }
-    const direction = kSteps.get(event.key);
+    const direction = STEPS.get(event.key);
     if (direction !== undefined) {
-      if (event.shiftKey) control.move({ x: -kMove * direction[0], y: -kMove * direction[1] });
+      if (event.shiftKey) control.move({ x: -MOVE * direction[0], y: -MOVE * direction[1] });
       else step(direction);
-    } else if (event.key === '+' || event.key === '=') zoom(kZoom);
-    else if (event.key === '-') zoom(1 / kZoom);
+    } else if (event.key === '+' || event.key === '=') zoom(ZOOM);
+    else if (event.key === '-') zoom(1 / ZOOM);
     else if (event.key === '0') control.fit();
     else if (event.key === '1') zoom(1 / camera.scale);
     else if (event.key === 'Escape' && marked !== null) setChosen(null);
@@ -139,8 +139,8 @@ export function PictureView({ canvas, size, label, wordsAt, announce, takesKey, 
       {told === '' ? null : <p class="picture-words">{told}</p>}
       <div class="picture-tools">
         <span class="picture-scale">{imageTexts.scale(camera.scale)}</span>
-        <IconButton icon="minus" label={imageTexts.zoomOut} onClick={() => zoom(1 / kZoom)} />
-        <IconButton icon="plus" label={imageTexts.zoomIn} onClick={() => zoom(kZoom)} />
+        <IconButton icon="minus" label={imageTexts.zoomOut} onClick={() => zoom(1 / ZOOM)} />
+        <IconButton icon="plus" label={imageTexts.zoomIn} onClick={() => zoom(ZOOM)} />
         <IconButton icon="fit" label={imageTexts.fit} onClick={control.fit} />
         <button
           type="button"
@@ -161,7 +161,7 @@ function middleOf({ x, y }: Point, camera: Camera): Point {
 }
 
 function markStyle(pixel: Point, camera: Camera) {
-  const side = Math.max(kLeastMark, camera.scale);
+  const side = Math.max(LEAST_MARK, camera.scale);
   const { x, y } = middleOf(pixel, camera);
   return { left: `${x - side / 2}px`, top: `${y - side / 2}px`, width: `${side}px`, height: `${side}px` };
 }

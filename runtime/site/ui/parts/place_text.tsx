@@ -5,7 +5,7 @@ import { tracebackPlace } from '../model/traceback_line.ts';
 import { texts } from '../texts.ts';
 import { SourceLinksContext } from './source_links.ts';
 
-export function PlaceText({ text }: { readonly text: string }) {
+export function PlaceText({ text }: { readonly text: string; }) {
   const links = useContext(SourceLinksContext);
   const place = tracebackPlace(text);
   const file = place === null ? undefined : links?.fileOf(place.path);

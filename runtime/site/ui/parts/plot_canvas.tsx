@@ -34,15 +34,15 @@ export interface PlotCanvasProps {
   /** The functions that pointer and keys call. */
   readonly view: PlotView;
   /** Receives a function that gives the drawing's canvas. */
-  readonly canvas: { current: HTMLCanvasElement | null };
+  readonly canvas: { current: HTMLCanvasElement | null; };
 }
 
-const kLeastPauseMs = 50;
+const LEAST_PAUSE_MS = 50;
 /** Pixels. A drag that goes less far up and down chooses time alone, and the other way round. */
-const kAcross = 40;
+const ACROSS = 40;
 /** Pixels from the pointer to a point of an x-y plot that is meant. */
-const kNear = 40;
-const kDot = 3.5;
+const NEAR = 40;
+const DOT = 3.5;
 
 export function PlotCanvas({ mode, count, label, theme, source, view, canvas }: PlotCanvasProps) {
   const host = useRef<HTMLDivElement>(null);
@@ -60,7 +60,7 @@ export function PlotCanvas({ mode, count, label, theme, source, view, canvas }: 
         width: Math.max(80, box.clientWidth),
         height: Math.max(60, box.clientHeight),
         legend: { show: false },
-        cursor: { drag: { x: true, y: true, uni: kAcross, setScale: false }, y: mode === 'xy', points: { show: false } },
+        cursor: { drag: { x: true, y: true, uni: ACROSS, setScale: false }, y: mode === 'xy', points: { show: false } },
         scales: {
           x: { time: false, range: () => [extents.x.least, extents.x.most] },
           y: { range: () => [extents.y.least, extents.y.most] },
@@ -100,9 +100,13 @@ export function PlotCanvas({ mode, count, label, theme, source, view, canvas }: 
               const { left = -1, top = -1, idx } = self.cursor;
               const time = left < 0 || idx === null || idx === undefined ? undefined : self.data[0][idx];
               latest.current.view.point(
-                left < 0 ? null
-                : mode === 'xy' ? nearestMoment(self, shown, left, top)
-                : time === undefined ? null : time + shown.origin,
+                left < 0
+                  ? null
+                  : mode === 'xy'
+                  ? nearestMoment(self, shown, left, top)
+                  : time === undefined
+                  ? null
+                  : time + shown.origin,
               );
             },
           ],
@@ -146,7 +150,7 @@ export function PlotCanvas({ mode, count, label, theme, source, view, canvas }: 
     const tick = (now: number): void => {
       frame = requestAnimationFrame(tick);
       const next = latest.current.source().version;
-      if (next === version || now - drawnAt < kLeastPauseMs) return;
+      if (next === version || now - drawnAt < LEAST_PAUSE_MS) return;
       version = next;
       drawnAt = now;
       redraw();
@@ -217,7 +221,7 @@ function span(least: number, most: number): Extent | null {
 }
 
 /** Where the values of a moment stand, with the number of their series. */
-function marksOf(shown: PlotSource, mode: PlotMode, moment: number): readonly { readonly x: number; readonly y: number; readonly series: number }[] {
+function marksOf(shown: PlotSource, mode: PlotMode, moment: number): readonly { readonly x: number; readonly y: number; readonly series: number; }[] {
   const [first] = shown.series;
   return shown.series.flatMap(({ samples }, series) => {
     if (mode === 'time') return samples.valuesAt(moment).map((y) => ({ x: moment - shown.origin, y, series }));
@@ -227,7 +231,7 @@ function marksOf(shown: PlotSource, mode: PlotMode, moment: number): readonly { 
   });
 }
 
-function drawMoment(plot: uPlot, shown: PlotSource, mode: PlotMode, colors: { readonly text: string; readonly lines: readonly string[] }): void {
+function drawMoment(plot: uPlot, shown: PlotSource, mode: PlotMode, colors: { readonly text: string; readonly lines: readonly string[]; }): void {
   const { moment } = shown;
   if (moment === null) return;
   const { ctx, bbox } = plot;
@@ -248,7 +252,7 @@ function drawMoment(plot: uPlot, shown: PlotSource, mode: PlotMode, colors: { re
     if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
     ctx.fillStyle = colors.lines[series % colors.lines.length] ?? colors.text;
     ctx.beginPath();
-    ctx.arc(plot.valToPos(x, 'x', true), plot.valToPos(y, 'y', true), kDot * devicePixelRatio, 0, 2 * Math.PI);
+    ctx.arc(plot.valToPos(x, 'x', true), plot.valToPos(y, 'y', true), DOT * devicePixelRatio, 0, 2 * Math.PI);
     ctx.fill();
   }
   ctx.restore();
@@ -258,7 +262,7 @@ function drawMoment(plot: uPlot, shown: PlotSource, mode: PlotMode, colors: { re
 function nearestMoment(plot: uPlot, shown: PlotSource, left: number, top: number): number | null {
   const [first, ...others] = shown.series;
   if (first === undefined) return null;
-  let [found, best] = [null as number | null, kNear];
+  let [found, best] = [null as number | null, NEAR];
   for (const { samples } of others) {
     const begin = samples.from(shown.range.least);
     pairsWith(first.samples, samples, shown.range).forEach(([x, y], index) => {
@@ -285,7 +289,7 @@ function seen(
 }
 
 /** The colours of the page's theme, as a canvas can use them. */
-function colorsOf(box: HTMLElement): { text: string; line: string; lines: readonly string[] } {
+function colorsOf(box: HTMLElement): { text: string; line: string; lines: readonly string[]; } {
   const probe = document.createElement('span');
   box.append(probe);
   const read = (name: string): string => {

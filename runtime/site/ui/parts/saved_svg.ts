@@ -1,15 +1,23 @@
 // A drawing of the page as an SVG file of its own: what the page's style sheet says of it stands in its attributes, in the
 // colours of the light theme, for a paper.
 
-const kAttributes = [
-  'fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-linejoin', 'paint-order', 'font-size', 'font-weight', 'text-anchor',
+const ATTRIBUTES = [
+  'fill',
+  'stroke',
+  'stroke-width',
+  'stroke-dasharray',
+  'stroke-linejoin',
+  'paint-order',
+  'font-size',
+  'font-weight',
+  'text-anchor',
 ] as const;
 
 /** `box`: the part of `content` (a group of `drawing`) that is saved, in its own units. */
 export function savedSvg(
   drawing: SVGSVGElement,
   content: string,
-  box: { readonly x: number; readonly y: number; readonly width: number; readonly height: number },
+  box: { readonly x: number; readonly y: number; readonly width: number; readonly height: number; },
 ): string {
   const host = document.createElement('div');
   host.className = 'saved-drawing';
@@ -21,7 +29,7 @@ export function savedSvg(
   const ground = getComputedStyle(host).backgroundColor;
   for (const element of copy.querySelectorAll<SVGElement>('path, rect, text, tspan')) {
     const style = getComputedStyle(element);
-    for (const name of kAttributes) {
+    for (const name of ATTRIBUTES) {
       const value = style.getPropertyValue(name);
       if (value !== '' && value !== 'normal') element.setAttribute(name, value);
     }

@@ -11,7 +11,7 @@ import { MessageTree } from './message_tree.tsx';
 export interface Inspected {
   readonly topic: string;
   /** Where it was hit, in the fixed frame, whose name is beside it; null: it was chosen from the list. */
-  readonly hit: { readonly place: Vector; readonly frame: string; readonly part: PickedPart } | null;
+  readonly hit: { readonly place: Vector; readonly frame: string; readonly part: PickedPart; } | null;
 }
 
 export interface SceneDetailsProps {
@@ -22,7 +22,7 @@ export interface SceneDetailsProps {
   readonly close: () => void;
 }
 
-const kDigits = 3;
+const DIGITS = 3;
 
 export function SceneDetails({ inspected: { topic, hit }, type, message, codec, close }: SceneDetailsProps) {
   const { frame, stamp } = hit?.part.header ?? readHeader(message);
@@ -61,7 +61,7 @@ export function SceneDetails({ inspected: { topic, hit }, type, message, codec, 
 }
 
 function placeWords(place: Vector): string {
-  return place.map((part) => part.toFixed(kDigits)).join(', ');
+  return place.map((part) => part.toFixed(DIGITS)).join(', ');
 }
 
 function numberWords(value: number): string {

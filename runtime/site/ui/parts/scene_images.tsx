@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
-import { kImageSizes } from '../model/scene_options.ts';
+import { IMAGE_SIZES } from '../model/scene_options.ts';
 import type { ImageOverlay } from '../model/scene_options.ts';
 import { sceneTexts } from '../texts_scene.ts';
 import { IconButton } from './button.tsx';
@@ -46,16 +46,19 @@ function Overlay({ session, codec, image: { topic, size }, resize, close }: Over
   const canvas = useRef<HTMLCanvasElement>(null);
   const [told, setTold] = useState({ facts: '', problem: '' });
   useEffect(
-    () => drawImages(session, codec, topic, () => canvas.current, ({ facts, problem }) => setTold((before) =>
-      before.facts === facts && before.problem === problem ? before : { facts, problem })).stop,
+    () =>
+      drawImages(session, codec, topic, () => canvas.current, ({ facts, problem }) =>
+        setTold((before) => before.facts === facts && before.problem === problem ? before : { facts, problem })).stop,
     [session, codec, topic],
   );
-  const next = kImageSizes[(kImageSizes.indexOf(size) + 1) % kImageSizes.length] ?? 'small';
+  const next = IMAGE_SIZES[(IMAGE_SIZES.indexOf(size) + 1) % IMAGE_SIZES.length] ?? 'small';
   const words = told.problem !== '' ? told.problem : told.facts === '' ? sceneTexts.image.waiting : '';
   return (
     <div class={`scene-image scene-image-${size}`}>
       <div class="scene-image-head">
-        <span class="scene-image-name"><Name text={topic} /></span>
+        <span class="scene-image-name">
+          <Name text={topic} />
+        </span>
         <IconButton icon="fit" label={sceneTexts.image.size(topic, sceneTexts.image.sizes[size])} onClick={() => resize(next)} />
         <IconButton icon="close" label={sceneTexts.image.close(topic)} onClick={close} />
       </div>

@@ -25,10 +25,10 @@ export interface SceneRow {
 }
 
 export interface SceneListProps {
-  readonly flags: readonly { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void }[];
+  readonly flags: readonly { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void; }[];
   /** How many arrows of odometry stay; null: no odometry is shown. */
-  readonly keep: { readonly count: number; readonly set: (count: number) => void } | null;
-  readonly follow: { readonly frame: string; readonly frames: readonly string[]; readonly set: (frame: string) => void };
+  readonly keep: { readonly count: number; readonly set: (count: number) => void; } | null;
+  readonly follow: { readonly frame: string; readonly frames: readonly string[]; readonly set: (frame: string) => void; };
   readonly rows: readonly SceneRow[];
   readonly onRow: (name: string, on: boolean) => void;
   readonly onLook: (name: string, change: LookChange) => void;
@@ -37,7 +37,7 @@ export interface SceneListProps {
   readonly note: string;
 }
 
-const kKeeps: readonly number[] = [1, 10, 100, 1000];
+const KEEPS: readonly number[] = [1, 10, 100, 1000];
 
 export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails, pictures, note }: SceneListProps) {
   const [opened, open] = useState('');
@@ -57,7 +57,7 @@ export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails,
             value={keep.count}
             onChange={(event) => keep.set(Number(event.currentTarget.value))}
           >
-            {[...new Set([...kKeeps, keep.count])].toSorted((a, b) => a - b).map((count) => (
+            {[...new Set([...KEEPS, keep.count])].toSorted((a, b) => a - b).map((count) => (
               <option key={count} value={count}>{count}</option>
             ))}
           </select>
@@ -90,19 +90,23 @@ export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails,
                 </span>
               </label>
               {on ? <IconButton icon="info" label={sceneTexts.details(name)} onClick={() => onDetails(name)} /> : null}
-              {on && settings.length > 0 ? (
-                <IconButton
-                  icon="sliders"
-                  label={sceneTexts.settings(name)}
-                  pressed={opened === name}
-                  onClick={() => open(opened === name ? '' : name)}
-                />
-              ) : null}
+              {on && settings.length > 0
+                ? (
+                  <IconButton
+                    icon="sliders"
+                    label={sceneTexts.settings(name)}
+                    pressed={opened === name}
+                    onClick={() => open(opened === name ? '' : name)}
+                  />
+                )
+                : null}
             </div>
             {problem === '' ? null : <p class="scene-problem">{problem}</p>}
-            {on && opened === name && settings.length > 0 ? (
-              <SceneSettings topic={name} settings={settings} look={look} fields={fields} change={(change) => onLook(name, change)} />
-            ) : null}
+            {on && opened === name && settings.length > 0
+              ? (
+                <SceneSettings topic={name} settings={settings} look={look} fields={fields} change={(change) => onLook(name, change)} />
+              )
+              : null}
           </li>
         ))}
       </ul>

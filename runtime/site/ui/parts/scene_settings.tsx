@@ -1,10 +1,10 @@
 // How one display of a scene looks: its points, colour, opacity, how long its messages stay, by what it is coloured.
 
-import { kMapSchemes, kMostDecay, kMostSize } from '../model/display_look.ts';
+import { MAP_SCHEMES, MOST_DECAY, MOST_SIZE } from '../model/display_look.ts';
 import type { DisplayLook, Setting } from '../model/display_look.ts';
 import { sceneTexts } from '../texts_scene.ts';
 
-export type LookChange = { readonly [K in keyof DisplayLook]?: DisplayLook[K] | undefined };
+export type LookChange = { readonly [K in keyof DisplayLook]?: DisplayLook[K] | undefined; };
 
 export interface SceneSettingsProps {
   readonly topic: string;
@@ -15,83 +15,97 @@ export interface SceneSettingsProps {
   readonly change: (change: LookChange) => void;
 }
 
-const kUsualColor = '#4f7cff';
-const kChannels = ['', 'flat', 'rgb', 'intensity', 'x', 'y', 'z'] as const;
+const USUAL_COLOR = '#4f7cff';
+const CHANNELS = ['', 'flat', 'rgb', 'intensity', 'x', 'y', 'z'] as const;
 
 export function SceneSettings({ topic, settings, look, fields, change }: SceneSettingsProps) {
   const has = (setting: Setting): boolean => settings.includes(setting);
-  const channels = [...new Set([...kChannels, ...fields, ...(look.channel === undefined ? [] : [look.channel])])];
+  const channels = [...new Set([...CHANNELS, ...fields, ...(look.channel === undefined ? [] : [look.channel])])];
   return (
     <div class="scene-settings" role="group" aria-label={sceneTexts.settings(topic)}>
-      {has('size') ? (
-        <NumberRow words={sceneTexts.size} value={look.size} usual="3" least={1} most={kMostSize} step={1} set={(size) => change({ size })} />
-      ) : null}
-      {has('color') ? (
-        <label class="scene-setting">
-          <span>{sceneTexts.color}</span>
-          <input
-            type="color"
-            value={look.color ?? kUsualColor}
-            onChange={(event) => change({ color: event.currentTarget.value })}
-          />
-        </label>
-      ) : null}
-      {has('alpha') ? (
-        <label class="scene-setting">
-          <span>{sceneTexts.alpha}</span>
-          <input
-            type="range"
-            min={0}
-            max={1}
-            step={0.05}
-            value={look.alpha ?? 1}
-            onInput={(event) => change({ alpha: Number(event.currentTarget.value) })}
-          />
-        </label>
-      ) : null}
-      {has('decay') ? (
-        <NumberRow words={sceneTexts.decay} value={look.decay} usual="0" least={0} most={kMostDecay} step={0.5} set={(decay) => change({ decay })} />
-      ) : null}
-      {has('channel') ? (
-        <>
+      {has('size')
+        ? (
+          <NumberRow words={sceneTexts.size} value={look.size} usual="3" least={1} most={MOST_SIZE} step={1} set={(size) => change({ size })} />
+        )
+        : null}
+      {has('color')
+        ? (
           <label class="scene-setting">
-            <span>{sceneTexts.channel}</span>
+            <span>{sceneTexts.color}</span>
+            <input
+              type="color"
+              value={look.color ?? USUAL_COLOR}
+              onChange={(event) => change({ color: event.currentTarget.value })}
+            />
+          </label>
+        )
+        : null}
+      {has('alpha')
+        ? (
+          <label class="scene-setting">
+            <span>{sceneTexts.alpha}</span>
+            <input
+              type="range"
+              min={0}
+              max={1}
+              step={0.05}
+              value={look.alpha ?? 1}
+              onInput={(event) => change({ alpha: Number(event.currentTarget.value) })}
+            />
+          </label>
+        )
+        : null}
+      {has('decay')
+        ? (
+          <NumberRow words={sceneTexts.decay} value={look.decay} usual="0" least={0} most={MOST_DECAY} step={0.5} set={(decay) => change({ decay })} />
+        )
+        : null}
+      {has('channel')
+        ? (
+          <>
+            <label class="scene-setting">
+              <span>{sceneTexts.channel}</span>
+              <select
+                class="select"
+                value={look.channel ?? ''}
+                onChange={(event) => change({ channel: event.currentTarget.value === '' ? undefined : event.currentTarget.value })}
+              >
+                {channels.map((name) => (
+                  <option key={name} value={name}>{(sceneTexts.channels as Readonly<Record<string, string>>)[name] ?? name}</option>
+                ))}
+              </select>
+            </label>
+            {look.channel === 'flat' || look.channel === 'rgb' ? null : (
+              <>
+                <NumberRow words={sceneTexts.least} value={look.least} usual="" step={0.1} set={(least) => change({ least })} />
+                <NumberRow words={sceneTexts.most} value={look.most} usual="" step={0.1} set={(most) => change({ most })} />
+              </>
+            )}
+          </>
+        )
+        : null}
+      {has('scheme')
+        ? (
+          <label class="scene-setting">
+            <span>{sceneTexts.scheme}</span>
             <select
               class="select"
-              value={look.channel ?? ''}
-              onChange={(event) => change({ channel: event.currentTarget.value === '' ? undefined : event.currentTarget.value })}
+              value={look.scheme ?? 'map'}
+              onChange={(event) => change({ scheme: MAP_SCHEMES.find((one) => one === event.currentTarget.value) })}
             >
-              {channels.map((name) => (
-                <option key={name} value={name}>{(sceneTexts.channels as Readonly<Record<string, string>>)[name] ?? name}</option>
-              ))}
+              {MAP_SCHEMES.map((name) => <option key={name} value={name}>{sceneTexts.schemes[name]}</option>)}
             </select>
           </label>
-          {look.channel === 'flat' || look.channel === 'rgb' ? null : (
-            <>
-              <NumberRow words={sceneTexts.least} value={look.least} usual="" step={0.1} set={(least) => change({ least })} />
-              <NumberRow words={sceneTexts.most} value={look.most} usual="" step={0.1} set={(most) => change({ most })} />
-            </>
-          )}
-        </>
-      ) : null}
-      {has('scheme') ? (
-        <label class="scene-setting">
-          <span>{sceneTexts.scheme}</span>
-          <select
-            class="select"
-            value={look.scheme ?? 'map'}
-            onChange={(event) => change({ scheme: kMapSchemes.find((one) => one === event.currentTarget.value) })}
-          >
-            {kMapSchemes.map((name) => <option key={name} value={name}>{sceneTexts.schemes[name]}</option>)}
-          </select>
-        </label>
-      ) : null}
-      {has('shapes') ? (
-        <>
-          <FlagRow words={sceneTexts.visual} on={look.hideVisual !== true} set={(on) => change({ hideVisual: on ? undefined : true })} />
-          <FlagRow words={sceneTexts.collision} on={look.collision === true} set={(on) => change({ collision: on ? true : undefined })} />
-        </>
-      ) : null}
+        )
+        : null}
+      {has('shapes')
+        ? (
+          <>
+            <FlagRow words={sceneTexts.visual} on={look.hideVisual !== true} set={(on) => change({ hideVisual: on ? undefined : true })} />
+            <FlagRow words={sceneTexts.collision} on={look.collision === true} set={(on) => change({ collision: on ? true : undefined })} />
+          </>
+        )
+        : null}
       {Object.keys(look).length === 0 ? null : (
         <button
           type="button"
@@ -137,7 +151,7 @@ function NumberRow({ words, value, usual, least, most, step, set }: NumberRowPro
   );
 }
 
-function FlagRow({ words, on, set }: { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void }) {
+function FlagRow({ words, on, set }: { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void; }) {
   return (
     <label class="check">
       <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />

@@ -1,7 +1,7 @@
 // The buttons above a scene: the frame to look from, the view, the tools, and layouts of rviz.
 
 import { fileName } from '../../contract/file_name.ts';
-import { kUsualView } from '../model/camera_view.ts';
+import { USUAL_VIEW } from '../model/camera_view.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
 import type { Tools } from '../scene/use_tools.ts';
 import { panelTexts } from '../texts_panels.ts';
@@ -12,7 +12,7 @@ import { SceneToolButtons } from './scene_tools.tsx';
 import { chooseText, readSiteText } from './site_text.ts';
 
 /** A file that the visitor or the site has. */
-export type NamedText = Promise<{ readonly name: string; readonly text: string }>;
+export type NamedText = Promise<{ readonly name: string; readonly text: string; }>;
 
 export function siteFile(path: string): NamedText {
   return readSiteText(path).then((text) => ({ name: fileName(path), text }));
@@ -67,7 +67,7 @@ export function SceneToolbar({ options, change, frames, fixed, tools, files, sho
         icon="home"
         label={panelTexts.scene.home}
         words={short.home}
-        onClick={() => change({ view: { ...kUsualView, top: options.view.top } })}
+        onClick={() => change({ view: { ...USUAL_VIEW, top: options.view.top } })}
       />
       <SceneToolButtons tool={tools.tool} choose={tools.choose} options={options} />
       <MenuButton

@@ -2,15 +2,15 @@
 
 import { sceneTexts } from '../texts_scene.ts';
 
-const kMostShown = 3;
+const MOST_SHOWN = 3;
 
-export function SceneTroubles({ troubles }: { readonly troubles: readonly string[] }) {
-  const rest = troubles.length - kMostShown;
+export function SceneTroubles({ troubles }: { readonly troubles: readonly string[]; }) {
+  const rest = troubles.length - MOST_SHOWN;
   return (
     <details class="scene-troubles" open>
       <summary>{sceneTexts.troubles(troubles.length)}</summary>
       <ul>
-        {troubles.slice(0, kMostShown).map((words) => <li key={words}>{words}</li>)}
+        {troubles.slice(0, MOST_SHOWN).map((words) => <li key={words}>{words}</li>)}
         {rest > 0 ? <li>{sceneTexts.more(rest)}</li> : null}
       </ul>
     </details>

@@ -7,12 +7,12 @@ import { flagMember } from '../model/json.ts';
 import { problemOf } from '../model/problem.ts';
 import type { Vector } from '../model/transform.ts';
 
-const kFeedback = 'visualization_msgs/msg/InteractiveMarkerFeedback';
-const kHand = '/_gz/hand';
+const FEEDBACK = 'visualization_msgs/msg/InteractiveMarkerFeedback';
+const HAND = '/_gz/hand';
 /** As visualization_msgs/msg/InteractiveMarkerFeedback numbers them. */
 const Event = { hold: 1, push: 3, letGo: 5 } as const;
 /** As ros_gz_interfaces/msg/Entity numbers them. */
-const kModel = 2;
+const MODEL = 2;
 
 /** The name of the world that a simulator of the graph offers; undefined: there is none yet. */
 export function worldOf({ nodes }: GraphView): string | undefined {
@@ -26,9 +26,9 @@ export function worldOf({ nodes }: GraphView): string | undefined {
 
 /** Members of ros_gz_interfaces/msg/WorldControl. */
 export type WorldControl =
-  | { readonly pause: boolean }
-  | { readonly pause: boolean; readonly multi_step: number }
-  | { readonly pause: boolean; readonly reset: { readonly all: boolean } };
+  | { readonly pause: boolean; }
+  | { readonly pause: boolean; readonly multi_step: number; }
+  | { readonly pause: boolean; readonly reset: { readonly all: boolean; }; };
 
 export class SimClient {
   private readonly session: Session;
@@ -40,7 +40,7 @@ export class SimClient {
     this.session = session;
     this.codec = codec;
     this.world = world;
-    this.hand = session.node().publisher(kHand, kFeedback);
+    this.hand = session.node().publisher(HAND, FEEDBACK);
   }
 
   /** Resolves with why it was not done; empty: it was. */
@@ -55,7 +55,7 @@ export class SimClient {
   }
 
   remove(name: string): Promise<string> {
-    return this.call('remove', 'ros_gz_interfaces/srv/DeleteEntity', { entity: { name, type: kModel } });
+    return this.call('remove', 'ros_gz_interfaces/srv/DeleteEntity', { entity: { name, type: MODEL } });
   }
 
   /** Draws `point`, in the link, to `target`, in the world. Said again as long as it is held: the hand lets go after a second. */
@@ -77,7 +77,7 @@ export class SimClient {
   }
 
   private feed(event: number, frame: string, [x, y, z]: Vector, [tx, ty, tz]: Vector): void {
-    const encoded = this.codec.encode(kFeedback, {
+    const encoded = this.codec.encode(FEEDBACK, {
       marker_name: frame,
       event_type: event,
       pose: { position: { x, y, z }, orientation: { x: 0, y: 0, z: 0, w: 1 } },

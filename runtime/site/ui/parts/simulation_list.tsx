@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { linkOf } from '../model/sim_world.ts';
 import type { ModelEntity } from '../model/sim_world.ts';
-import { kSimFlags } from '../model/simulation_options.ts';
+import { SIM_FLAGS } from '../model/simulation_options.ts';
 import type { SimFlag } from '../model/simulation_options.ts';
 import { simulationTexts } from '../texts_simulation.ts';
 import { Icon } from './icon.tsx';
@@ -11,7 +11,7 @@ import { Name } from './name.tsx';
 import { PictureChoice } from './picture_choice.tsx';
 import type { PictureChoiceProps } from './picture_choice.tsx';
 
-const kMostRows = 200;
+const MOST_ROWS = 200;
 
 export interface SimulationListProps {
   readonly models: readonly ModelEntity[];
@@ -51,35 +51,39 @@ export function SimulationList({ models, selected, select, remove, flags, setFla
     <div class="scene-list simulation-list" role="group" aria-label={simulationTexts.list}>
       <p class="simulation-count">{simulationTexts.models(models.length)}</p>
       <ul class="simulation-tree" role="list">
-        {models.slice(0, kMostRows).map(({ name, links }) => (
+        {models.slice(0, MOST_ROWS).map(({ name, links }) => (
           <li key={name}>
             <div class="simulation-row">
-              {links.length > 1 ? (
-                <button
-                  type="button"
-                  class="simulation-fold"
-                  aria-label={simulationTexts.links(name)}
-                  aria-expanded={opened.has(name)}
-                  onClick={() => toggle(name)}
-                >
-                  <Icon name="chevron" />
-                </button>
-              ) : <span class="simulation-fold" />}
+              {links.length > 1
+                ? (
+                  <button
+                    type="button"
+                    class="simulation-fold"
+                    aria-label={simulationTexts.links(name)}
+                    aria-expanded={opened.has(name)}
+                    onClick={() => toggle(name)}
+                  >
+                    <Icon name="chevron" />
+                  </button>
+                )
+                : <span class="simulation-fold" />}
               {entity(name, name)}
             </div>
-            {links.length > 1 && opened.has(name) ? (
-              <ul class="simulation-links" role="list">
-                {links.slice(0, kMostRows).map((frame) => <li key={frame}>{entity(frame, linkOf(frame))}</li>)}
-                {links.length > kMostRows ? <li class="hint">{simulationTexts.more(links.length - kMostRows)}</li> : null}
-              </ul>
-            ) : null}
+            {links.length > 1 && opened.has(name)
+              ? (
+                <ul class="simulation-links" role="list">
+                  {links.slice(0, MOST_ROWS).map((frame) => <li key={frame}>{entity(frame, linkOf(frame))}</li>)}
+                  {links.length > MOST_ROWS ? <li class="hint">{simulationTexts.more(links.length - MOST_ROWS)}</li> : null}
+                </ul>
+              )
+              : null}
           </li>
         ))}
       </ul>
-      {models.length > kMostRows ? <p class="hint">{simulationTexts.more(models.length - kMostRows)}</p> : null}
+      {models.length > MOST_ROWS ? <p class="hint">{simulationTexts.more(models.length - MOST_ROWS)}</p> : null}
       <fieldset class="scene-pictures">
         <legend>{simulationTexts.drawn}</legend>
-        {kSimFlags.map((flag) => (
+        {SIM_FLAGS.map((flag) => (
           <label class="check" key={flag}>
             <input type="checkbox" checked={flags[flag]} onChange={(event) => setFlag(flag, event.currentTarget.checked)} />
             {simulationTexts.flags[flag]}

@@ -24,15 +24,23 @@ export function SimulationSelection({ name, place, moves, follows, follow, push,
   return (
     <div class="simulation-selection" role="group" aria-label={simulationTexts.selected(name)}>
       <div class="simulation-selection-head">
-        <strong class="simulation-name"><Name text={name} /></strong>
+        <strong class="simulation-name">
+          <Name text={name} />
+        </strong>
         <IconButton icon="target" label={simulationTexts.follow(name)} words={words.follow} pressed={follows} onClick={follow} />
         {moves ? <IconButton icon="push" label={simulationTexts.pushOne(name)} words={words.push} disabled={push === null} onClick={() => push?.()} /> : null}
         <IconButton icon="clear" label={simulationTexts.remove(modelOf(name))} words={words.remove} onClick={remove} />
       </div>
       {place === undefined ? null : (
         <dl class="scene-facts">
-          <div><dt>{simulationTexts.place}</dt><dd>{numbers(place.translation)} m</dd></div>
-          <div><dt>{simulationTexts.turn}</dt><dd>{numbers(degrees(toRollPitchYaw(place.rotation)), 1)}{'\u00b0'}</dd></div>
+          <div>
+            <dt>{simulationTexts.place}</dt>
+            <dd>{numbers(place.translation)} m</dd>
+          </div>
+          <div>
+            <dt>{simulationTexts.turn}</dt>
+            <dd>{numbers(degrees(toRollPitchYaw(place.rotation)), 1)}{'\u00b0'}</dd>
+          </div>
         </dl>
       )}
       {moves ? null : <p class="hint">{simulationTexts.fixed}</p>}

@@ -11,15 +11,15 @@ export interface SplitterProps {
   readonly onChange: (value: number) => void;
 }
 
-const kStep = 16;
-const kLeast = 96;
+const STEP = 16;
+const LEAST = 96;
 
 export function Splitter({ label, kind, value, onChange }: SplitterProps) {
-  const drag = useRef<{ readonly at: number; readonly first: number } | null>(null);
+  const drag = useRef<{ readonly at: number; readonly first: number; } | null>(null);
   const across = kind === 'row';
 
   /** The sizes of both neighbours in px. */
-  const sizes = (bar: Element): { first: number; both: number } => {
+  const sizes = (bar: Element): { first: number; both: number; } => {
     const length = (element: Element | null): number => {
       const box = element?.getBoundingClientRect();
       return (across ? box?.width : box?.height) ?? 0;
@@ -30,7 +30,7 @@ export function Splitter({ label, kind, value, onChange }: SplitterProps) {
   const set = (bar: Element, first: number): void => {
     const { both } = sizes(bar);
     if (both === 0) return;
-    const least = Math.min(kLeast, both / 2);
+    const least = Math.min(LEAST, both / 2);
     onChange(Math.min(both - least, Math.max(least, first)) / both);
   };
 
@@ -39,8 +39,8 @@ export function Splitter({ label, kind, value, onChange }: SplitterProps) {
     if (!(bar instanceof Element)) return;
     const { first, both } = sizes(bar);
     const next: Readonly<Record<string, number>> = {
-      [across ? 'ArrowLeft' : 'ArrowUp']: first - kStep,
-      [across ? 'ArrowRight' : 'ArrowDown']: first + kStep,
+      [across ? 'ArrowLeft' : 'ArrowUp']: first - STEP,
+      [across ? 'ArrowRight' : 'ArrowDown']: first + STEP,
       Home: 0,
       End: both,
       Enter: both / 2,

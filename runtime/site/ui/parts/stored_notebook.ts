@@ -2,15 +2,15 @@
 
 import { openDatabase } from './browser_database.ts';
 
-const kDatabase = 'ros2wasm';
-const kStore = 'notebooks';
+const DATABASE = 'ros2wasm';
+const STORE = 'notebooks';
 
 async function inStore<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const database = await openDatabase(kDatabase, kStore);
+  const database = await openDatabase(DATABASE, STORE);
   try {
     return await new Promise<T>((resolve, reject) => {
-      const transaction = database.transaction(kStore, mode);
-      const request = work(transaction.objectStore(kStore));
+      const transaction = database.transaction(STORE, mode);
+      const request = work(transaction.objectStore(STORE));
       transaction.oncomplete = () => resolve(request.result);
       transaction.onabort = () => reject(transaction.error ?? new Error('IndexedDB'));
     });

@@ -9,10 +9,10 @@ export interface DragView {
   readonly key: string;
   readonly target: DropTarget | null;
   /** The area that the tab would cover, in px of the window. */
-  readonly box: { readonly left: number; readonly top: number; readonly width: number; readonly height: number };
+  readonly box: { readonly left: number; readonly top: number; readonly width: number; readonly height: number; };
 }
 
-const kThreshold = 6;
+const THRESHOLD = 6;
 
 export interface TabDrag {
   readonly view: DragView | null;
@@ -32,7 +32,7 @@ export function useTabDrag(drop: (key: string, target: DropTarget) => void): Tab
     let seen: DragView | null = null;
     const move = (event: PointerEvent): void => {
       const far = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY);
-      if (seen === null && far < kThreshold) return;
+      if (seen === null && far < THRESHOLD) return;
       seen = viewAt(key, event.clientX, event.clientY);
       setView(seen);
     };
@@ -69,9 +69,7 @@ function viewAt(key: string, x: number, y: number): DragView {
   const strip = element.querySelector('.strip')?.getBoundingClientRect();
   const box = element.getBoundingClientRect();
   if (strip !== undefined && y < strip.bottom) {
-    const tabs = [...element.querySelectorAll('[role="tab"]')].map((tab) =>
-      tab.getBoundingClientRect(),
-    );
+    const tabs = [...element.querySelectorAll('[role="tab"]')].map((tab) => tab.getBoundingClientRect());
     const found = tabs.findIndex((tab) => x < tab.left + tab.width / 2);
     const index = found === -1 ? tabs.length : found;
     const left = tabs[index]?.left ?? tabs.at(-1)?.right ?? strip.left;

@@ -105,9 +105,11 @@ export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripPr
       )}
       {bare ? null : (
         <div class="strip-tools">
-          {control.large === group.key && !narrow ? (
-            <IconButton icon="fit" pressed label={texts.layout.restore} onClick={() => control.enlarge(null)} />
-          ) : null}
+          {control.large === group.key && !narrow
+            ? (
+              <IconButton icon="fit" pressed label={texts.layout.restore} onClick={() => control.enlarge(null)} />
+            )
+            : null}
           <MenuButton icon="plus" label={texts.layout.add} search={texts.layout.search} items={panelItems(group, control)} />
           {front === undefined ? null : (
             <MenuButton
@@ -167,8 +169,7 @@ function tabItems(
     },
   });
   const within = (index: number) => ({ group: group.key, zone: 'into' as const, index });
-  const beside = (zone: 'left' | 'right' | 'above' | 'below') =>
-    group.tabs.length > 1 ? { group: group.key, zone } : null;
+  const beside = (zone: 'left' | 'right' | 'above' | 'below') => group.tabs.length > 1 ? { group: group.key, zone } : null;
   const other = (step: number) => {
     const found = groups[here + step];
     return found === undefined ? null : { group: found.key, zone: 'into' as const };

@@ -8,7 +8,7 @@ import { IconButton } from './button.tsx';
 import { useNodes } from './watch.ts';
 
 /** The graph's name when nobody gave one. */
-const kGraph = 'main';
+const GRAPH = 'main';
 
 export interface TabsControlProps {
   readonly session: Session;
@@ -22,9 +22,9 @@ export interface TabsControlProps {
 export function useJoin(session: Session): Pick<TabsControlProps, 'problem' | 'join'> {
   const [problem, setProblem] = useState('');
   const join = (): void => {
-    session.joinTabs(kGraph).then(
+    session.joinTabs(GRAPH).then(
       // A reload joins again.
-      () => history.replaceState(null, '', `?graph=${kGraph}`),
+      () => history.replaceState(null, '', `?graph=${GRAPH}`),
       (error: unknown) => setProblem(problemOf(error).what),
     );
   };

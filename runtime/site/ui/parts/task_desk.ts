@@ -56,7 +56,12 @@ export class TaskDesk {
   tasks(): readonly DeskTask[] {
     const views = this.session.tasks?.views() ?? [];
     return this.session.site.tasks.map(({ title, text, hint, solution }, at) => ({
-      title, text, hint, solution, checks: views[at]?.checks ?? [], kept: this.of(title),
+      title,
+      text,
+      hint,
+      solution,
+      checks: views[at]?.checks ?? [],
+      kept: this.of(title),
     }));
   }
 
@@ -110,7 +115,9 @@ export class TaskDesk {
     const fresh = (this.session.tasks?.views() ?? []).filter(({ title, done }) => done && this.of(title).doneAt === undefined);
     if (fresh.length > 0) {
       this.keep(fresh.map(({ title, checks }) => ({
-        ...this.of(title), doneAt: this.time(), seen: checks.map((check) => ({ title: check.title, seen: check.seen })),
+        ...this.of(title),
+        doneAt: this.time(),
+        seen: checks.map((check) => ({ title: check.title, seen: check.seen })),
       })));
       for (const { title } of fresh) for (const listener of [...this.newsListeners]) listener(taskTexts.nowDone(title));
     }

@@ -4,12 +4,12 @@ import type { ConsoleLine, Session } from '../../contract/session.ts';
 import { LineList } from '../model/line_list.ts';
 import { expandTabs } from '../model/terminal_input.ts';
 
-const kMostLines = 20_000;
+const MOST_LINES = 20_000;
 /** Upper bound of the lines that wait to be drawn; the oldest of them are dropped. */
-const kMostWaiting = 5000;
+const MOST_WAITING = 5000;
 
 export class TerminalScreen {
-  readonly list = new LineList(kMostLines);
+  readonly list = new LineList(MOST_LINES);
   private waiting: ConsoleLine[] = [];
   private frame = 0;
   private readonly session: Session;
@@ -24,7 +24,7 @@ export class TerminalScreen {
     const time = this.session.time.view().now;
     // One item, so that a flood of long outputs is bounded too.
     for (const line of text.split('\n')) this.waiting.push({ time, stream, text: expandTabs(line) });
-    if (this.waiting.length > 2 * kMostWaiting) this.waiting = this.waiting.slice(-kMostWaiting);
+    if (this.waiting.length > 2 * MOST_WAITING) this.waiting = this.waiting.slice(-MOST_WAITING);
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.flush());
   }
 

@@ -13,10 +13,10 @@ import { textActionTexts } from '../texts_text_actions.ts';
 import { matched } from './matched.ts';
 import { codecOf } from './message_feed.ts';
 
-export type GraphAction = Extract<PageAction, { readonly kind: 'publish' | 'set_param' | 'call' | 'goal' | 'check' }>;
+export type GraphAction = Extract<PageAction, { readonly kind: 'publish' | 'set_param' | 'call' | 'goal' | 'check'; }>;
 
 /** Upper bound of the characters of an answer that is shown beside the text. */
-const kMostAnswer = 2000;
+const MOST_ANSWER = 2000;
 
 export class TextActions {
   private readonly session: Session;
@@ -128,8 +128,7 @@ export class TextActions {
     if (checks === undefined || (name !== '' && at === -1)) return textActionTexts.noCheck(name);
     if (name === '') checks.again();
     else checks.again(at);
-    const words = (views: readonly CheckView[]): string =>
-      textActionTexts.checks(name === '' ? views : views.slice(at, at + 1));
+    const words = (views: readonly CheckView[]): string => textActionTexts.checks(name === '' ? views : views.slice(at, at + 1));
     this.stopChecks = checks.onChange((views) => say(words(views)));
     return words(checks.views());
   }
@@ -150,5 +149,5 @@ export class TextActions {
 
 function asText(codec: Codec, type: string, bytes: Uint8Array): string {
   const read = codec.decode(type, bytes);
-  return read.kind === 'failed' ? read.reason : toYaml(read.value, read.shape).trim().slice(0, kMostAnswer);
+  return read.kind === 'failed' ? read.reason : toYaml(read.value, read.shape).trim().slice(0, MOST_ANSWER);
 }

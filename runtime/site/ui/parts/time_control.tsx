@@ -6,17 +6,17 @@ import { texts } from '../texts.ts';
 import { IconButton } from './button.tsx';
 import { useTime } from './watch.ts';
 
-const kStepsMs = [1, 10, 100, 1000, 10_000] as const;
-const kRates = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
+const STEPS_MS = [1, 10, 100, 1000, 10_000] as const;
+const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
 
-export function TimeControl({ session }: { readonly session: Session }) {
+export function TimeControl({ session }: { readonly session: Session; }) {
   const { time } = session;
   const { state, rate } = useTime(session);
   const [stepMs, setStepMs] = useState<number>(100);
   const held = state !== 'running';
-  const rates = kRates.some((each) => each === rate)
-    ? kRates
-    : [...kRates, rate].sort((a, b) => a - b);
+  const rates = RATES.some((each) => each === rate)
+    ? RATES
+    : [...RATES, rate].sort((a, b) => a - b);
   return (
     <div class="time" role="group" aria-label={texts.time.group} data-state={state}>
       <IconButton
@@ -38,7 +38,7 @@ export function TimeControl({ session }: { readonly session: Session }) {
         value={String(stepMs)}
         onChange={(event) => setStepMs(Number(event.currentTarget.value))}
       >
-        {kStepsMs.map((ms) => (
+        {STEPS_MS.map((ms) => (
           <option value={String(ms)}>{texts.time.length(ms)}</option>
         ))}
       </select>
@@ -64,7 +64,7 @@ export function TimeControl({ session }: { readonly session: Session }) {
 }
 
 /** The messages that a stepped run has sent, shown while time is paused. */
-function Trace({ stepped, settled }: { readonly stepped: SteppedRun; readonly settled: boolean }) {
+function Trace({ stepped, settled }: { readonly stepped: SteppedRun; readonly settled: boolean; }) {
   const trace = settled ? stepped.trace() : undefined;
   return (
     <span class="time-state" title={trace?.sha256 ?? ''} data-sha256={trace?.sha256 ?? ''}>

@@ -56,7 +56,7 @@ export function TopicInside(props: TopicInsideProps) {
   );
 }
 
-function Fact({ name, value }: { readonly name: string; readonly value: string }) {
+function Fact({ name, value }: { readonly name: string; readonly value: string; }) {
   return (
     <div>
       <dt>{name}</dt>
@@ -109,8 +109,9 @@ function LastMessageView({ topic, session, announce, open }: TopicInsideProps) {
   const ago = texts.topics.ago(formatDuration(session.time.view().now - now.receivedAt));
   const delay = delays.current.get();
   const earlier = before?.result.kind === 'value' ? before.result.value : undefined;
-  const change: TreeChange | undefined =
-    mark && earlier !== undefined ? { before: earlier, only, was: topicTexts.was, changed: topicTexts.changed } : undefined;
+  const change: TreeChange | undefined = mark && earlier !== undefined
+    ? { before: earlier, only, was: topicTexts.was, changed: topicTexts.changed }
+    : undefined;
   return (
     <MessageView
       title={texts.topics.lastMessage}
@@ -147,21 +148,31 @@ function LastMessageView({ topic, session, announce, open }: TopicInsideProps) {
       }
     >
       <div class="message-options">
-        <Check words={topicTexts.mark} on={mark} set={(on) => {
-          setMark(on);
-          if (!on) setOnly(false);
-        }} />
-        <Check words={topicTexts.only} on={only} set={(on) => {
-          setOnly(on);
-          if (on) setMark(true);
-        }} />
+        <Check
+          words={topicTexts.mark}
+          on={mark}
+          set={(on) => {
+            setMark(on);
+            if (!on) setOnly(false);
+          }}
+        />
+        <Check
+          words={topicTexts.only}
+          on={only}
+          set={(on) => {
+            setOnly(on);
+            if (on) setMark(true);
+          }}
+        />
         {mark ? <span class="message-facts">{compared(now, before, earlier, result.value)}</span> : null}
       </div>
-      {path === null ? (
-        <p class="message-hint">{topicTexts.hint}</p>
-      ) : (
-        <FieldBar path={path} value={value.current} open={open} announce={announce} leave={() => setPath(null)} />
-      )}
+      {path === null
+        ? (
+          <p class="message-hint">{topicTexts.hint}</p>
+        )
+        : (
+          <FieldBar path={path} value={value.current} open={open} announce={announce} leave={() => setPath(null)} />
+        )}
     </MessageView>
   );
 }
@@ -172,7 +183,7 @@ function compared(now: Shown, before: Shown | null, earlier: unknown, value: unk
   return sameValue(earlier, value) ? `${topicTexts.same} (${since})` : since;
 }
 
-function Check({ words, on, set }: { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void }) {
+function Check({ words, on, set }: { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void; }) {
   return (
     <label class="check">
       <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />
@@ -197,18 +208,22 @@ function FieldBar({ path, value, open, announce, leave }: FieldBarProps) {
     <div class="field-bar" role="group" aria-label={topicTexts.field(path)}>
       <code>{path}</code>
       <CopyButton label={topicTexts.copyPath} words={topicTexts.copyPath} text={() => path} announce={announce} />
-      {readable && !Number.isNaN(asNumber(value)) ? (
-        <button type="button" class="button" onClick={show('plot')}>
-          <Icon name="plot" />
-          {topicTexts.plot}
-        </button>
-      ) : null}
-      {readable && asState(value) !== undefined ? (
-        <button type="button" class="button" onClick={show('timeline')}>
-          <Icon name="timeline" />
-          {topicTexts.states}
-        </button>
-      ) : null}
+      {readable && !Number.isNaN(asNumber(value))
+        ? (
+          <button type="button" class="button" onClick={show('plot')}>
+            <Icon name="plot" />
+            {topicTexts.plot}
+          </button>
+        )
+        : null}
+      {readable && asState(value) !== undefined
+        ? (
+          <button type="button" class="button" onClick={show('timeline')}>
+            <Icon name="timeline" />
+            {topicTexts.states}
+          </button>
+        )
+        : null}
       <IconButton icon="close" label={topicTexts.leave(path)} onClick={leave} />
     </div>
   );

@@ -8,7 +8,7 @@ interface Look {
   readonly skin: string;
 }
 
-const kLooks: readonly Look[] = [
+const LOOKS: readonly Look[] = [
   { shell: '#3fae5a', rim: '#1c6631', skin: '#b9e38c' },
   { shell: '#dd5a3c', rim: '#86290f', skin: '#f6c783' },
   { shell: '#ecba31', rim: '#8f6306', skin: '#f9e8a8' },
@@ -25,10 +25,10 @@ const kLooks: readonly Look[] = [
 export function drawTurtle(
   context: CanvasRenderingContext2D,
   turtle: SceneTurtle,
-  at: { readonly x: number; readonly y: number },
+  at: { readonly x: number; readonly y: number; },
   unit: number,
 ): void {
-  const look = kLooks[Math.abs(Math.floor(turtle.shape)) % kLooks.length] ?? kLooks[0];
+  const look = LOOKS[Math.abs(Math.floor(turtle.shape)) % LOOKS.length] ?? LOOKS[0];
   if (look === undefined) return;
   context.save();
   context.translate(at.x, at.y);

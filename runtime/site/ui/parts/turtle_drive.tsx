@@ -11,22 +11,22 @@ import { matched } from './matched.ts';
 import { TurtleHeading } from './turtle_heading.ts';
 import { useLetGo } from './use_let_go.ts';
 
-const kTwist = 'geometry_msgs/msg/Twist';
+const TWIST = 'geometry_msgs/msg/Twist';
 /** Units per second and radians per second, as turtle_teleop_key. */
-const kLinear = 2;
-const kAngular = 2;
+const LINEAR = 2;
+const ANGULAR = 2;
 /** A turtle goes on for a second after each command. */
-const kHoldMs = 250;
+const HOLD_MS = 250;
 
-const kMoves = {
-  forward: { key: 'ArrowUp', linear: kLinear, angular: 0 },
-  left: { key: 'ArrowLeft', linear: 0, angular: kAngular },
-  back: { key: 'ArrowDown', linear: -kLinear, angular: 0 },
-  right: { key: 'ArrowRight', linear: 0, angular: -kAngular },
+const MOVES = {
+  forward: { key: 'ArrowUp', linear: LINEAR, angular: 0 },
+  left: { key: 'ArrowLeft', linear: 0, angular: ANGULAR },
+  back: { key: 'ArrowDown', linear: -LINEAR, angular: 0 },
+  right: { key: 'ArrowRight', linear: 0, angular: -ANGULAR },
 } as const;
 
-export type TurtleMove = keyof typeof kMoves;
-const kMoveNames = ['forward', 'left', 'back', 'right'] as const satisfies readonly TurtleMove[];
+export type TurtleMove = keyof typeof MOVES;
+const MOVE_NAMES = ['forward', 'left', 'back', 'right'] as const satisfies readonly TurtleMove[];
 
 export interface TurtleDrive {
   readonly move: (move: TurtleMove) => void;
@@ -52,7 +52,7 @@ export function useTurtleDrive(
 }
 
 class Driver implements TurtleDrive {
-  private outlet: { readonly publisher: PagePublisher; readonly ready: Promise<void> } | null = null;
+  private outlet: { readonly publisher: PagePublisher; readonly ready: Promise<void>; } | null = null;
   private timer: PageTimer | null = null;
   private heading: TurtleHeading | null = null;
   private closed = false;
@@ -83,7 +83,7 @@ class Driver implements TurtleDrive {
       this.heading.key(event.key).then(() => this.tell(''), (error: unknown) => this.tell(problemOf(error).what));
       return;
     }
-    const move = kMoveNames.find((name) => kMoves[name].key === event.key);
+    const move = MOVE_NAMES.find((name) => MOVES[name].key === event.key);
     if (move === undefined) return;
     event.preventDefault();
     this.move(move);
@@ -92,7 +92,7 @@ class Driver implements TurtleDrive {
   readonly hold = (move: TurtleMove): void => {
     this.release();
     this.move(move);
-    this.timer = this.session.node().timer(kHoldMs, () => this.move(move));
+    this.timer = this.session.node().timer(HOLD_MS, () => this.move(move));
   };
 
   readonly release = (): void => {
@@ -109,14 +109,14 @@ class Driver implements TurtleDrive {
 
   private async send(move: TurtleMove): Promise<void> {
     if (this.codec === null || this.topic === '' || this.closed) return;
-    const { linear, angular } = kMoves[move];
-    const made = this.codec.encode(kTwist, {
+    const { linear, angular } = MOVES[move];
+    const made = this.codec.encode(TWIST, {
       linear: { x: linear, y: 0, z: 0 },
       angular: { x: 0, y: 0, z: angular },
     });
     if (made.kind === 'failed') throw new Error(made.reason);
     if (this.outlet === null) {
-      const publisher = this.session.node().publisher(this.topic, kTwist, { depth: 1 });
+      const publisher = this.session.node().publisher(this.topic, TWIST, { depth: 1 });
       if (publisher.problem !== undefined) throw publisher.problem;
       this.outlet = { publisher, ready: matched(publisher) };
     }
@@ -128,11 +128,11 @@ class Driver implements TurtleDrive {
   }
 }
 
-export function TurtlePad({ drive, turtle }: { readonly drive: TurtleDrive; readonly turtle: string }) {
+export function TurtlePad({ drive, turtle }: { readonly drive: TurtleDrive; readonly turtle: string; }) {
   useLetGo(drive.release);
   return (
     <div class="turtle-pad" role="group" aria-label={panelTexts.turtlesim.pad}>
-      {kMoveNames.map((move) => (
+      {MOVE_NAMES.map((move) => (
         <button
           key={move}
           type="button"

@@ -3,14 +3,21 @@
 import type { PageActionClient, PageGoal, Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 
-const kType = 'turtlesim/action/RotateAbsolute';
-const kReadyMs = 2000;
+const TYPE = 'turtlesim/action/RotateAbsolute';
+const READY_MS = 2000;
 
 /** Radians, each where the key lies beside F. */
-const kHeadings: ReadonlyMap<string, number> = new Map([
-  ['g', 0], ['t', 1], ['r', 2], ['e', 3], ['d', 4], ['c', -3], ['v', -2], ['b', -1],
+const HEADINGS: ReadonlyMap<string, number> = new Map([
+  ['g', 0],
+  ['t', 1],
+  ['r', 2],
+  ['e', 3],
+  ['d', 4],
+  ['c', -3],
+  ['v', -2],
+  ['b', -1],
 ].map(([key, eighths]) => [String(key), (Number(eighths) * Math.PI) / 4]));
-const kCancel = 'f';
+const CANCEL = 'f';
 
 export class TurtleHeading {
   private client: PageActionClient | null = null;
@@ -26,21 +33,21 @@ export class TurtleHeading {
   }
 
   static knows(key: string): boolean {
-    return key === kCancel || kHeadings.has(key);
+    return key === CANCEL || HEADINGS.has(key);
   }
 
   /** Rejects when the goal could not be sent, or the simulator refuses it. */
   async key(key: string): Promise<void> {
-    const theta = kHeadings.get(key);
+    const theta = HEADINGS.get(key);
     if (theta === undefined) {
-      if (key === kCancel) await this.goal?.cancel();
+      if (key === CANCEL) await this.goal?.cancel();
       return;
     }
-    const made = this.codec.encode(`${kType}_Goal`, { theta });
+    const made = this.codec.encode(`${TYPE}_Goal`, { theta });
     if (made.kind === 'failed') throw new Error(made.reason);
-    this.client ??= this.session.node().actionClient(this.action, kType);
+    this.client ??= this.session.node().actionClient(this.action, TYPE);
     const { client } = this;
-    for (const end = performance.now() + kReadyMs; !client.ready() && performance.now() < end;)
+    for (const end = performance.now() + READY_MS; !client.ready() && performance.now() < end;)
       await new Promise((go) => setTimeout(go, 20));
     const goal = client.sendGoal(made.bytes);
     this.goal = goal;

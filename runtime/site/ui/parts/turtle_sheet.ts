@@ -5,7 +5,7 @@ import { Sheet } from '../model/turtle_scene.ts';
 import type { Picture, Scene, SceneTurtle, Stroke } from '../model/turtle_scene.ts';
 import { drawTurtle } from './turtle_drawing.ts';
 
-const kScale = 2;
+const SCALE = 2;
 
 export interface TurtleSheetOptions {
   readonly canvas: HTMLCanvasElement;
@@ -35,9 +35,9 @@ export class TurtleSheet {
     this.scene = scene;
     const { cleared, strokes, ask } = this.sheet.take(scene, publisher);
     const { paper } = this;
-    if (paper.width !== scene.width * kScale || paper.height !== scene.height * kScale) {
-      paper.width = scene.width * kScale;
-      paper.height = scene.height * kScale;
+    if (paper.width !== scene.width * SCALE || paper.height !== scene.height * SCALE) {
+      paper.width = scene.width * SCALE;
+      paper.height = scene.height * SCALE;
     } else if (cleared) {
       paper.getContext('2d')?.clearRect(0, 0, paper.width, paper.height);
     }
@@ -121,7 +121,7 @@ export class TurtleSheet {
     const context = this.paper.getContext('2d');
     if (context === null) return;
     // Strokes count from the middle of the first pixel, a canvas from its corner.
-    context.setTransform(kScale, 0, 0, kScale, kScale / 2, kScale / 2);
+    context.setTransform(SCALE, 0, 0, SCALE, SCALE / 2, SCALE / 2);
     context.lineCap = 'round';
     for (const stroke of strokes) {
       context.strokeStyle = stroke.color;

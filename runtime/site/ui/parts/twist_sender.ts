@@ -4,7 +4,7 @@
 import type { PagePublisher, PageTimer, Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { refusal } from '../model/draft_value.ts';
-import { isRest, kRest, kTwist, kTwistStamped, twistOf } from '../model/twist.ts';
+import { isRest, REST, TWIST, TWIST_STAMPED, twistOf } from '../model/twist.ts';
 import type { Limits, Stick } from '../model/twist.ts';
 
 export interface TwistTarget {
@@ -22,7 +22,7 @@ export class TwistSender {
   private readonly told: (problem: string) => void;
   private publisher: PagePublisher | undefined;
   private timer: PageTimer | undefined;
-  private stick = kRest;
+  private stick = REST;
   /** The last message was no zero, so one is owed. */
   private moving = false;
 
@@ -37,7 +37,7 @@ export class TwistSender {
   open(): void {
     if (this.publisher !== undefined) return;
     const { topic, stamped } = this.target;
-    const publisher = this.session.node().publisher(topic, stamped ? kTwistStamped : kTwist);
+    const publisher = this.session.node().publisher(topic, stamped ? TWIST_STAMPED : TWIST);
     if (publisher.problem === undefined) this.publisher = publisher;
     this.told(publisher.problem?.message ?? '');
   }
@@ -73,7 +73,7 @@ export class TwistSender {
     }
     const { stamped, frame } = this.target;
     const value = twistOf(this.stick, this.limits, stamped ? { nowMs: this.session.time.view().now, frame } : undefined);
-    const made = this.codec.encode(stamped ? kTwistStamped : kTwist, value);
+    const made = this.codec.encode(stamped ? TWIST_STAMPED : TWIST, value);
     const problem = made.kind === 'failed' ? refusal(made) : this.publisher.publish(made.bytes)?.message;
     this.told(problem ?? '');
     // A zero that did not go out is sent again at the next beat, unless it can never be.
@@ -83,7 +83,7 @@ export class TwistSender {
 
   /** Stands still first. */
   close(): void {
-    this.hold(kRest);
+    this.hold(REST);
     this.timer?.close();
     this.timer = undefined;
     this.publisher?.close();

@@ -2,7 +2,7 @@
 
 import { useCallback, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
-import { fitted, kDrawingLimits, moved, showing, zoomed } from '../model/camera.ts';
+import { fitted, DRAWING_LIMITS, moved, showing, zoomed } from '../model/camera.ts';
 import type { Camera, CameraLimits } from '../model/camera.ts';
 import type { Place, Point, Size } from '../model/graph_layout.ts';
 
@@ -21,10 +21,10 @@ export interface CameraControl {
   readonly dragged: (click: MouseEvent) => boolean;
 }
 
-const kDragFrom = 4;
+const DRAG_FROM = 4;
 
 /** `limits` stay the same from one drawing to the next. */
-export function useCamera(host: RefObject<HTMLElement | SVGSVGElement | null>, bounds: Place, limits: CameraLimits = kDrawingLimits): CameraControl {
+export function useCamera(host: RefObject<HTMLElement | SVGSVGElement | null>, bounds: Place, limits: CameraLimits = DRAWING_LIMITS): CameraControl {
   const [view, setView] = useState<Size>({ width: 0, height: 0 });
   const [chosen, setChosen] = useState<Camera | null>(null);
   const camera = chosen ?? fitted(bounds, view, limits);
@@ -67,8 +67,7 @@ export function useCamera(host: RefObject<HTMLElement | SVGSVGElement | null>, b
     camera,
     view,
     fit: () => setChosen(null),
-    zoom: (factor, at) =>
-      change((now) => zoomed(now, factor, at ?? { x: latest.current.view.width / 2, y: latest.current.view.height / 2 }, limits)),
+    zoom: (factor, at) => change((now) => zoomed(now, factor, at ?? { x: latest.current.view.width / 2, y: latest.current.view.height / 2 }, limits)),
     move: (by) => change((now) => moved(now, by)),
     show: (place) => {
       const { camera: now, view: room } = latest.current;
@@ -95,7 +94,7 @@ export function useCamera(host: RefObject<HTMLElement | SVGSVGElement | null>, b
       const start = began.current ?? at;
       const others = [...pointers.current].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
       if (!dragging.current) {
-        if (others.length === 0 && distance(at, start) < kDragFrom) return;
+        if (others.length === 0 && distance(at, start) < DRAG_FROM) return;
         dragging.current = true;
         element.setPointerCapture(event.pointerId);
       }

@@ -6,7 +6,7 @@ import { useCallback, useLayoutEffect, useState } from 'preact/hooks';
  */
 export function useFocus(): (id: string) => void {
   // An object, so that the same id can be wished for twice.
-  const [wish, setWish] = useState<{ readonly id: string } | null>(null);
+  const [wish, setWish] = useState<{ readonly id: string; } | null>(null);
   useLayoutEffect(() => {
     if (wish !== null) document.getElementById(wish.id)?.focus();
   }, [wish]);

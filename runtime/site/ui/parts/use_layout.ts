@@ -49,10 +49,10 @@ export interface LayoutControl {
   readonly dismiss: () => void;
 }
 
-const kMostState = 8_192;
-const kMostNamed = 200;
-const kMostNotice = 2000;
-const kNoView = { layout: null, site: null, changed: null, params: null, autorun: null };
+const MOST_STATE = 8_192;
+const MOST_NAMED = 200;
+const MOST_NOTICE = 2000;
+const NO_VIEW = { layout: null, site: null, changed: null, params: null, autorun: null };
 
 export function useLayout(
   session: Session,
@@ -68,7 +68,7 @@ export function useLayout(
   const name = useMemo(() => `layout.${new URL('.', document.baseURI).pathname}`, []);
   const usual = useMemo((): Layout => {
     const author = readLayout(session.site.ui['layout'], isKnown).layout;
-    return author ?? readLayout(usualLayout(wide, session.site), isKnown).layout ?? kNothing;
+    return author ?? readLayout(usualLayout(wide, session.site), isKnown).layout ?? NOTHING;
   }, [session, wide]);
   // null: the visitor has changed nothing, so the usual layout follows the width.
   const [chosen, setChosen] = useState<Layout | null>(
@@ -99,7 +99,7 @@ export function useLayout(
       setChosen(changed);
       writePreference(store, name, JSON.stringify(writeLayout(changed)));
       // From now on a reload shows the visitor's layout, not the link's.
-      if (embed === null && readFragment(location.hash).has('layout')) setFragment(kNoView);
+      if (embed === null && readFragment(location.hash).has('layout')) setFragment(NO_VIEW);
     },
     [store, name, embed],
   );
@@ -123,8 +123,7 @@ export function useLayout(
         announce(texts.layout.moved);
         focusTab(key);
       },
-      resize: (split, index, first) =>
-        change((now) => layouts.resizePair(now, split, index, first)),
+      resize: (split, index, first) => change((now) => layouts.resizePair(now, split, index, first)),
       add: (group, panel) => {
         const row = panelRow(panel);
         const opened = layouts.tabsOf(latest.current.root).find((tab) => tab.panel === panel);
@@ -135,15 +134,13 @@ export function useLayout(
           return;
         }
         const key = layouts.freshKey(latest.current, panel);
-        change((now) =>
-          layouts.addTab(now, { key, panel, state: null }, { group, zone: 'into' }),
-        );
+        change((now) => layouts.addTab(now, { key, panel, state: null }, { group, zone: 'into' }));
         added.current = key;
         focusTab(key);
       },
       justAdded: (key) => added.current === key,
       setState: (key, state) => {
-        const kept = readJson(state, kMostState);
+        const kept = readJson(state, MOST_STATE);
         if (kept !== undefined) change((now) => layouts.setPanelState(now, key, kept));
       },
       open: (caller, panel, state) => {
@@ -163,7 +160,7 @@ export function useLayout(
           reveal(only.key);
           return true;
         }
-        const kept = readJson(state ?? null, kMostState);
+        const kept = readJson(state ?? null, MOST_STATE);
         if (kept === undefined) return false;
         const key = layouts.freshKey(latest.current, panel);
         change((now) => layouts.addTab(now, { key, panel, state: kept }, target));
@@ -172,7 +169,7 @@ export function useLayout(
       reset: () => {
         setChosen(null);
         writePreference(store, name, '');
-        setFragment(kNoView);
+        setFragment(NO_VIEW);
       },
       link: async () => {
         const site = await siteHash();
@@ -196,7 +193,7 @@ export function useLayout(
   }, [session, layout, notice, large, narrow, change, announce, focus]);
 }
 
-const kNothing: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
+const NOTHING: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
 
 function mayCover(tab: PanelTab): boolean {
   return panelRow(tab.panel)?.watched !== true;
@@ -240,8 +237,8 @@ function useLinkNotice(
       if (!current || text !== applied) return;
       const told = all.length === 0 ? texts.layout.linkNoParameters : texts.layout.linkParameters(all.length);
       setNotice((before) => [before, told].filter((part) => part !== '').join(' '));
-      endParameters = applyParameters(session, all, ({ node, name }, reason) =>
-        setNotice((before) => `${before} ${texts.layout.linkRefused(name, node, reason)}`.trim().slice(0, kMostNotice)));
+      endParameters = applyParameters(session, all,
+        ({ node, name }, reason) => setNotice((before) => `${before} ${texts.layout.linkRefused(name, node, reason)}`.trim().slice(0, MOST_NOTICE)));
     };
     const read = (): void => {
       const fields = readFragment(location.hash);
@@ -251,7 +248,7 @@ function useLinkNotice(
       if (found.leftOut.length > 0) parts.push(texts.layout.linkLeftOut(found.leftOut));
       const own = new Set(changedFiles(session));
       const foreign = (fields.get('changed') ?? '').split('\n').filter((file) => file !== '' && !own.has(file));
-      if (foreign.length > 0) parts.push(texts.layout.linkChanged(foreign.join(', ').slice(0, kMostNamed)));
+      if (foreign.length > 0) parts.push(texts.layout.linkChanged(foreign.join(', ').slice(0, MOST_NAMED)));
       setNotice(parts.join(' '));
       const params = fields.get('params');
       if (params !== null) void parameters(params);

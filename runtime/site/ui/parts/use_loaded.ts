@@ -4,7 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 
 /** null until it is there. A failure reaches the boundary around the panel. */
 export function useLoaded<T>(wanted: boolean, load: () => Promise<T>): T | null {
-  const [loaded, setLoaded] = useState<{ readonly code: T } | null>(null);
+  const [loaded, setLoaded] = useState<{ readonly code: T; } | null>(null);
   const [failure, setFailure] = useState<unknown>(null);
   const missing = wanted && loaded === null;
   useEffect(() => {

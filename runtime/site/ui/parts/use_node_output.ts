@@ -4,7 +4,7 @@ import { useEffect, useReducer, useRef } from 'preact/hooks';
 import type { NodeView, Session } from '../../contract/session.ts';
 
 /** Lines of a node that are looked at: a traceback fits in. */
-const kMostLines = 400;
+const MOST_LINES = 400;
 
 export interface NodeOutput {
   readonly node: NodeView;
@@ -26,11 +26,11 @@ export function useNodeOutput(session: Session, nodes: readonly NodeView[]): rea
   useEffect(() => {
     const stops = (ids === '' ? [] : ids.split('\n')).map((id) => {
       const console = session.console(id);
-      buffers.current.set(id, console.lines().slice(-kMostLines).map(({ text }) => text));
+      buffers.current.set(id, console.lines().slice(-MOST_LINES).map(({ text }) => text));
       return console.onLines((batch) => {
         const lines = buffers.current.get(id) ?? [];
-        lines.push(...batch.slice(-kMostLines).map(({ text }) => text));
-        buffers.current.set(id, lines.slice(-kMostLines));
+        lines.push(...batch.slice(-MOST_LINES).map(({ text }) => text));
+        buffers.current.set(id, lines.slice(-MOST_LINES));
         changed();
       });
     });

@@ -39,17 +39,17 @@ export interface PlotView {
   readonly y: Extent | null;
   readonly moment: number | null;
   /** Written by who draws. */
-  readonly seen: { current: PlotWindow };
+  readonly seen: { current: PlotWindow; };
   readonly hold: (range: TimeRange | null) => void;
-  readonly select: (part: { readonly x: Extent | null; readonly y: Extent | null }) => void;
+  readonly select: (part: { readonly x: Extent | null; readonly y: Extent | null; }) => void;
   readonly whole: () => void;
   readonly point: (moment: number | null) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
 }
 
-const kZoom = 1.5;
-const kMove = 0.2;
-const kManySamples = 10;
+const ZOOM = 1.5;
+const MOVE = 0.2;
+const MANY_SAMPLES = 10;
 
 export function usePlotView({ mode, series, following, changed, told }: PlotViewOptions): PlotView {
   const [held, setHeld] = useState<TimeRange | null>(null);
@@ -95,12 +95,13 @@ export function usePlotView({ mode, series, following, changed, told }: PlotView
   const step = (direction: 1 | -1, count: number): void => {
     const range = held ?? following();
     let moment = chosen ?? momentNear(series(), (range.least + range.most) / 2);
-    if (chosen !== null)
+    if (chosen !== null) {
       for (let i = 0; i < count && moment !== null; i += 1) {
         const next = momentBeside(series(), moment, direction);
         if (next === null) break;
         moment = next;
       }
+    }
     if (moment !== null) choose(moment);
   };
   const zoomX = (factor: number): void => {
@@ -110,21 +111,21 @@ export function usePlotView({ mode, series, following, changed, told }: PlotView
   const keys: Readonly<Record<string, () => void>> = {
     ArrowLeft: () => step(-1, 1),
     ArrowRight: () => step(1, 1),
-    PageUp: () => step(-1, kManySamples),
-    PageDown: () => step(1, kManySamples),
-    ArrowUp: () => select({ x: null, y: zoomedExtent(seen.current.y, kZoom) }),
-    ArrowDown: () => select({ x: null, y: zoomedExtent(seen.current.y, 1 / kZoom) }),
-    '+': () => zoomX(kZoom),
-    '=': () => zoomX(kZoom),
-    '-': () => zoomX(1 / kZoom),
+    PageUp: () => step(-1, MANY_SAMPLES),
+    PageDown: () => step(1, MANY_SAMPLES),
+    ArrowUp: () => select({ x: null, y: zoomedExtent(seen.current.y, ZOOM) }),
+    ArrowDown: () => select({ x: null, y: zoomedExtent(seen.current.y, 1 / ZOOM) }),
+    '+': () => zoomX(ZOOM),
+    '=': () => zoomX(ZOOM),
+    '-': () => zoomX(1 / ZOOM),
     '0': whole,
     Escape: () => choose(null),
   };
   const shifted: Readonly<Record<string, () => void>> = {
-    ArrowLeft: () => select({ x: movedExtent(seen.current.x, -kMove), y: null }),
-    ArrowRight: () => select({ x: movedExtent(seen.current.x, kMove), y: null }),
-    ArrowUp: () => select({ x: null, y: movedExtent(seen.current.y, kMove) }),
-    ArrowDown: () => select({ x: null, y: movedExtent(seen.current.y, -kMove) }),
+    ArrowLeft: () => select({ x: movedExtent(seen.current.x, -MOVE), y: null }),
+    ArrowRight: () => select({ x: movedExtent(seen.current.x, MOVE), y: null }),
+    ArrowUp: () => select({ x: null, y: movedExtent(seen.current.y, MOVE) }),
+    ArrowDown: () => select({ x: null, y: movedExtent(seen.current.y, -MOVE) }),
   };
   return {
     held,

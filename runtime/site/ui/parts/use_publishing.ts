@@ -28,7 +28,11 @@ export interface Publishing {
 
 /** `draft`: a text says why there is none, and then nothing is sent. */
 export function usePublishing(
-  session: Session, codec: Codec | null, topic: string, type: string, draft: DraftText | string,
+  session: Session,
+  codec: Codec | null,
+  topic: string,
+  type: string,
+  draft: DraftText | string,
 ): Publishing {
   const [problem, setProblem] = useState('');
   const [sent, setSent] = useState(0);
@@ -78,7 +82,10 @@ export function usePublishing(
   };
 
   return {
-    sent, isRepeating, problem, setProblem,
+    sent,
+    isRepeating,
+    problem,
+    setProblem,
     once: () => {
       const through = opened();
       if (through !== null) publish(through);

@@ -12,8 +12,8 @@ export interface Store {
 /** `make` gives one that calls `changed` whenever it is to be drawn. null while messages cannot be read yet, or not at all. */
 export function useStore<T extends Store>(
   session: Session,
-  make: new (session: Session, codec: Codec, changed: () => void) => T,
-): { readonly store: T | null; readonly codec: Codec | string | null } {
+  make: new(session: Session, codec: Codec, changed: () => void) => T,
+): { readonly store: T | null; readonly codec: Codec | string | null; } {
   const codec = useCodec(session);
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
   const store = useRef<T | null>(null);

@@ -41,7 +41,7 @@ export interface Terminal {
   complete(): boolean;
 }
 
-function useScreen(session: Session): { readonly screen: TerminalScreen; readonly version: number } {
+function useScreen(session: Session): { readonly screen: TerminalScreen; readonly version: number; } {
   const [version, setVersion] = useState(0);
   const screen = useRef<TerminalScreen | null>(null);
   screen.current ??= new TerminalScreen(session, () => setVersion((before) => before + 1));
@@ -49,7 +49,7 @@ function useScreen(session: Session): { readonly screen: TerminalScreen; readonl
 }
 
 /** The names of all interfaces, for completion; none until they are there. */
-function useInterfaceNames(session: Session): { readonly current: readonly string[] } {
+function useInterfaceNames(session: Session): { readonly current: readonly string[]; } {
   const names = useRef<readonly string[]>([]);
   useEffect(() => {
     session.interfaces().then(
@@ -92,7 +92,8 @@ export function useTerminal({ session, announce, open, store }: PanelProps, brou
   opened.current = open;
   const made = useRef<Shell | null>(null);
   made.current ??= new Shell({
-    session, print,
+    session,
+    print,
     warn: (text) => screen.write(text, 'stderr'),
     clear: () => screen.clear(),
     takeInput: (to, mode) => {
@@ -176,7 +177,16 @@ export function useTerminal({ session, announce, open, store }: PanelProps, brou
   };
 
   return {
-    list: screen.list, version, prompt, isRunning, reading, line, setLine, submit, stop, complete,
+    list: screen.list,
+    version,
+    prompt,
+    isRunning,
+    reading,
+    line,
+    setLine,
+    submit,
+    stop,
+    complete,
     endInput: () => {
       taker.current?.(line);
       setLine('');

@@ -5,7 +5,7 @@ import { readText, writePreference } from '../model/preferences.ts';
 import type { Store } from '../model/preferences.ts';
 import { readHistory } from '../model/terminal_input.ts';
 
-const kMostHistory = 200;
+const MOST_HISTORY = 200;
 
 export interface TerminalHistory {
   lines(): readonly string[];
@@ -29,7 +29,7 @@ class History implements TerminalHistory {
   }
 
   private stored(): string[] {
-    return readHistory(readText(this.store, this.name), kMostHistory);
+    return readHistory(readText(this.store, this.name), MOST_HISTORY);
   }
 
   lines(): readonly string[] {
@@ -56,7 +56,7 @@ class History implements TerminalHistory {
 }
 
 function withLine(lines: readonly string[], typed: string): string[] {
-  return (lines.at(-1) === typed ? [...lines] : [...lines, typed]).slice(-kMostHistory);
+  return (lines.at(-1) === typed ? [...lines] : [...lines, typed]).slice(-MOST_HISTORY);
 }
 
 export function useTerminalHistory(store: Store | null): TerminalHistory {

@@ -68,9 +68,7 @@ export function useTheme(): string {
   const dark = useMedia('(prefers-color-scheme: dark)');
   const [chosen, setChosen] = useState(() => document.documentElement.dataset['theme'] ?? '');
   useEffect(() => {
-    const observer = new MutationObserver(() =>
-      setChosen(document.documentElement.dataset['theme'] ?? ''),
-    );
+    const observer = new MutationObserver(() => setChosen(document.documentElement.dataset['theme'] ?? ''));
     observer.observe(document.documentElement, { attributeFilter: ['data-theme'] });
     return () => observer.disconnect();
   }, []);

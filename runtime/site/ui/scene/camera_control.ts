@@ -43,15 +43,15 @@ interface Pointer {
   y: number;
 }
 
-const kTurnStep = 40; // pixels' worth, for one press of a key
-const kZoomStep = 1.2;
-const kLeastDrag = 8; // pixels, below which a goal has no heading of its own
-const kUsualHeight = 400;
-const kHeadingStep = Math.PI / 12; // for one press of a key
+const TURN_STEP = 40; // pixels' worth, for one press of a key
+const ZOOM_STEP = 1.2;
+const LEAST_DRAG = 8; // pixels, below which a goal has no heading of its own
+const USUAL_HEIGHT = 400;
+const HEADING_STEP = Math.PI / 12; // for one press of a key
 
 export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () => void {
   const pointers = new Map<number, Pointer>();
-  let goalStart: { readonly place: Vector; readonly x: number; readonly y: number } | null = null;
+  let goalStart: { readonly place: Vector; readonly x: number; readonly y: number; } | null = null;
   /** Where the pointer of a tool for points went down, until it is further than a press. */
   let press: Pointer | null = null;
   let grab: Grab | null = null;
@@ -59,7 +59,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   let keyTurn = 0;
   let settling: ReturnType<typeof setTimeout> | undefined;
   const abort = new AbortController();
-  const height = (): number => canvas.clientHeight || kUsualHeight;
+  const height = (): number => canvas.clientHeight || USUAL_HEIGHT;
   const placeOf = (event: PointerEvent): Pointer => {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -89,7 +89,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   const goalAt = (at: Pointer): GroundPose | null => {
     if (goalStart === null) return null;
     const { place, x, y } = goalStart;
-    const end = Math.hypot(at.x - x, at.y - y) < kLeastDrag ? null : host.groundAt(at.x, at.y);
+    const end = Math.hypot(at.x - x, at.y - y) < LEAST_DRAG ? null : host.groundAt(at.x, at.y);
     const heading = end === null ? 0 : Math.atan2(end[1] - place[1], end[0] - place[0]);
     return { place, heading };
   };
@@ -108,7 +108,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
       host.aim(goal);
       return;
     }
-    if (press !== null && Math.hypot(at.x - press.x, at.y - press.y) < kLeastDrag) return;
+    if (press !== null && Math.hypot(at.x - press.x, at.y - press.y) < LEAST_DRAG) return;
     press = null;
     const [dx, dy] = [at.x - pointer.x, at.y - pointer.y];
     const before = spanOf(pointers);
@@ -148,7 +148,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
   const wheel = (event: WheelEvent): void => {
     event.preventDefault();
     const lines = event.deltaMode === 0 ? event.deltaY / 100 : event.deltaY / 3;
-    host.look(zoomed(host.view(), kZoomStep ** Math.max(-5, Math.min(5, lines))));
+    host.look(zoomed(host.view(), ZOOM_STEP ** Math.max(-5, Math.min(5, lines))));
     clearTimeout(settling);
     settling = setTimeout(() => host.settle(), 300);
   };
@@ -163,7 +163,7 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
     } else if (aims === 'point' && name === 'Enter') {
       host.setPoint(x, y);
     } else if (aims === 'pose' && (name === 'Enter' || name === '[' || name === ']')) {
-      keyTurn += name === '[' ? kHeadingStep : name === ']' ? -kHeadingStep : 0;
+      keyTurn += name === '[' ? HEADING_STEP : name === ']' ? -HEADING_STEP : 0;
       const place = host.groundAt(x, y);
       // Away from the eye: as one looks, so one goes.
       const ahead = host.view().top ? 0 : turnedBack(host.view().azimuth);
@@ -213,18 +213,18 @@ export function keyed(view: CameraView, key: string, shift: boolean, height: num
   const move = view.top || shift ? panned : turned;
   switch (key) {
     case 'ArrowLeft':
-      return move(view, kTurnStep, 0, height);
+      return move(view, TURN_STEP, 0, height);
     case 'ArrowRight':
-      return move(view, -kTurnStep, 0, height);
+      return move(view, -TURN_STEP, 0, height);
     case 'ArrowUp':
-      return move(view, 0, kTurnStep, height);
+      return move(view, 0, TURN_STEP, height);
     case 'ArrowDown':
-      return move(view, 0, -kTurnStep, height);
+      return move(view, 0, -TURN_STEP, height);
     case '+':
     case '=':
-      return zoomed(view, 1 / kZoomStep);
+      return zoomed(view, 1 / ZOOM_STEP);
     case '-':
-      return zoomed(view, kZoomStep);
+      return zoomed(view, ZOOM_STEP);
     case 'Home':
       return 'home';
     default:

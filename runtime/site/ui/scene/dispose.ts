@@ -5,7 +5,7 @@ import type { Object3D } from 'three';
 
 export function disposeOf(object: Object3D): void {
   object.traverse((one) => {
-    const { geometry, material } = one as { readonly geometry?: unknown; readonly material?: unknown };
+    const { geometry, material } = one as { readonly geometry?: unknown; readonly material?: unknown; };
     if (isDisposable(geometry)) geometry.dispose();
     for (const each of Array.isArray(material) ? (material as readonly unknown[]) : [material])
       if (each instanceof Material) disposeMaterial(each);
@@ -14,13 +14,13 @@ export function disposeOf(object: Object3D): void {
 }
 
 function disposeMaterial(material: Material): void {
-  const { map } = material as { readonly map?: unknown };
+  const { map } = material as { readonly map?: unknown; };
   if (map instanceof Texture) map.dispose();
   material.dispose();
 }
 
-function isDisposable(value: unknown): value is { readonly dispose: () => void } {
-  return typeof value === 'object' && value !== null && typeof (value as { dispose?: unknown }).dispose === 'function';
+function isDisposable(value: unknown): value is { readonly dispose: () => void; } {
+  return typeof value === 'object' && value !== null && typeof (value as { dispose?: unknown; }).dispose === 'function';
 }
 
 /** Takes all parts out of a group for good. */

@@ -2,8 +2,18 @@
 // screen at any distance.
 
 import {
-  Color, CylinderGeometry, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, MeshBasicMaterial, Quaternion,
-  Vector3, BufferAttribute, BufferGeometry,
+  Color,
+  CylinderGeometry,
+  Group,
+  InstancedMesh,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  MeshBasicMaterial,
+  Quaternion,
+  Vector3,
+  BufferAttribute,
+  BufferGeometry,
 } from 'three';
 import type { Sprite } from 'three';
 import type { CameraView } from '../model/camera_view.ts';
@@ -12,11 +22,11 @@ import { isPlace } from './places.ts';
 import { disposeOf } from './dispose.ts';
 import { named, words } from './shapes.ts';
 
-const kMostShown = 1000;
-const kMostNames = 200;
+const MOST_SHOWN = 1000;
+const MOST_NAMES = 200;
 /** The sizes of axes and names, as shares of the distance of the target. */
-const kAxisLength = 0.07;
-const kNameHeight = 0.014;
+const AXIS_LENGTH = 0.07;
+const NAME_HEIGHT = 0.014;
 
 export interface FramePlace {
   readonly name: string;
@@ -42,7 +52,7 @@ export class FrameAxes {
       [shape.clone(), '#30a46c'],
       [shape.clone().rotateX(Math.PI / 2), '#3e7bfa'],
     ] as const).map(([geometry, color]) => {
-      const instances = new InstancedMesh(geometry, new MeshBasicMaterial({ color }), kMostShown);
+      const instances = new InstancedMesh(geometry, new MeshBasicMaterial({ color }), MOST_SHOWN);
       instances.count = 0;
       instances.frustumCulled = false;
       return instances;
@@ -63,7 +73,7 @@ export class FrameAxes {
   }
 
   set(places: readonly FramePlace[], color: string): void {
-    this.places = places.filter(({ transform }) => isPlace(...transform.translation)).slice(0, kMostShown);
+    this.places = places.filter(({ transform }) => isPlace(...transform.translation)).slice(0, MOST_SHOWN);
     this.scale = NaN;
     const at = new Map(this.places.map((place) => [place.name, place.transform.translation]));
     const lines: number[] = [];
@@ -79,7 +89,7 @@ export class FrameAxes {
 
   /** In the size that the view asks for. */
   fit(view: CameraView): void {
-    const size = view.distance * kAxisLength;
+    const size = view.distance * AXIS_LENGTH;
     const nameScale = view.top ? view.distance : 1;
     if (size !== this.scale) {
       this.scale = size;
@@ -113,7 +123,7 @@ export class FrameAxes {
       this.color = color;
       for (const sprite of this.names.values()) sprite.material.color = new Color(color);
     }
-    const wanted = new Set(this.places.slice(0, kMostNames).map(({ name }) => name));
+    const wanted = new Set(this.places.slice(0, MOST_NAMES).map(({ name }) => name));
     for (const [name, sprite] of this.names)
       if (!wanted.has(name)) {
         this.nameGroup.remove(sprite);
@@ -122,7 +132,7 @@ export class FrameAxes {
       }
     for (const name of wanted) {
       if (this.names.has(name)) continue;
-      const sprite = words(name, kNameHeight, named(color), true);
+      const sprite = words(name, NAME_HEIGHT, named(color), true);
       sprite.userData['size'] = [sprite.scale.x, sprite.scale.y];
       // Below the origin, where no axis is in the way.
       sprite.center.set(0.5, 1.4);

@@ -21,38 +21,39 @@ interface Kind {
   readonly updates?: string;
 }
 
-const kPaint = ['color', 'alpha'] as const;
-const kPoints = ['size', 'color', 'alpha', 'decay', 'channel'] as const;
+const PAINT = ['color', 'alpha'] as const;
+const POINTS = ['size', 'color', 'alpha', 'decay', 'channel'] as const;
 
 /** The newest message, in the colour that was chosen, or else the page's. */
 const painted = (make: (look: Rgba) => (message: unknown) => Built, alpha = 1): Kind => ({
   make: (context) => new NewestDisplay((message) => make(lookOf(context, undefined, alpha))(message)),
-  settings: kPaint,
+  settings: PAINT,
 });
 
 /** Two vectors of one field, in RViz's colours and scale; the first one's can be chosen. */
 const pair = (outer: string, first: string, second: string, scale: number): Kind => ({
-  make: (context) => new NewestDisplay((message) => {
-    const look = lookOf(context, '#cc3333');
-    return vectorPair([
-      { path: [outer, first], look, scale },
-      { path: [outer, second], look: { ...named('#cccc33'), alpha: look.alpha }, scale },
-    ])(message);
-  }),
-  settings: kPaint,
+  make: (context) =>
+    new NewestDisplay((message) => {
+      const look = lookOf(context, '#cc3333');
+      return vectorPair([
+        { path: [outer, first], look, scale },
+        { path: [outer, second], look: { ...named('#cccc33'), alpha: look.alpha }, scale },
+      ])(message);
+    }),
+  settings: PAINT,
 });
 
 const markers: Kind = { make: ({ meshes }) => new Markers(meshes), settings: [] };
 
 /** Its display depends on the number of messages that stay. */
-export const kOdometry = 'nav_msgs/msg/Odometry';
+export const ODOMETRY = 'nav_msgs/msg/Odometry';
 
 const kinds: ReadonlyMap<string, Kind> = new Map<string, Kind>([
-  ['sensor_msgs/msg/LaserScan', { make: (context) => PointDisplay.scan(context), settings: kPoints }],
-  ['sensor_msgs/msg/PointCloud2', { make: (context) => PointDisplay.cloud(context), settings: kPoints }],
+  ['sensor_msgs/msg/LaserScan', { make: (context) => PointDisplay.scan(context), settings: POINTS }],
+  ['sensor_msgs/msg/PointCloud2', { make: (context) => PointDisplay.cloud(context), settings: POINTS }],
   ['sensor_msgs/msg/Range', painted(rangeCone, 0.5)],
   ['nav_msgs/msg/Path', painted(path)],
-  [kOdometry, { make: (context) => new OdometryTrail(context), settings: kPaint }],
+  [ODOMETRY, { make: (context) => new OdometryTrail(context), settings: PAINT }],
   ['nav_msgs/msg/OccupancyGrid', { make: (context) => new GridDisplay(context), settings: ['alpha', 'scheme'], updates: '_updates' }],
   ['nav_msgs/msg/GridCells', painted(gridCells)],
   ['geometry_msgs/msg/PoseStamped', painted(singlePose)],

@@ -8,7 +8,7 @@ import { segments } from './shapes.ts';
 import type { Rgba } from './shapes.ts';
 
 /** Beyond this many pieces lines are drawn as thin as can be. */
-const kMostPieces = 100_000;
+const MOST_PIECES = 100_000;
 
 export interface LineWidth {
   readonly width: number;
@@ -17,12 +17,16 @@ export interface LineWidth {
 
 /** Pairs of points; of one colour, or with a colour for each point (in three's light) and one transparency. */
 export function lines(pairs: Float32Array, look: Rgba, colors: Float32Array | null, { width, unit }: LineWidth): Object3D {
-  if (pairs.length > kMostPieces * 6) return segments(pairs, colors ?? look, look.alpha);
+  if (pairs.length > MOST_PIECES * 6) return segments(pairs, colors ?? look, look.alpha);
   const geometry = new LineSegmentsGeometry();
   if (pairs.length > 0) geometry.setPositions(pairs);
   if (colors !== null && pairs.length > 0) geometry.setColors(colors);
   const material = new LineMaterial({
-    linewidth: width, worldUnits: unit === 'metres', vertexColors: colors !== null, transparent: look.alpha < 1, opacity: look.alpha,
+    linewidth: width,
+    worldUnits: unit === 'metres',
+    vertexColors: colors !== null,
+    transparent: look.alpha < 1,
+    opacity: look.alpha,
   });
   if (colors === null) material.color.copy(look.color);
   const object = new LineSegments2(geometry, material);

@@ -1,8 +1,6 @@
 // The drawing of one visualization_msgs/msg/Marker, by its type.
 
-import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, Matrix4, Quaternion, Vector3,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, Matrix4, Quaternion, Vector3 } from 'three';
 import type { Object3D } from 'three';
 import { asNumber } from '../model/field_path.ts';
 import { member } from '../model/json.ts';
@@ -17,15 +15,26 @@ import { points } from './points.ts';
 import { arrow, ball, box, cylinder, mesh, pixelsOfWords, placeAt, rgba, solid, words } from './shapes.ts';
 import type { Rgba } from './shapes.ts';
 
-const kMostPoints = 200_000;
-const kMostSolids = 20_000;
-const kLargest = 1e5;
-const kAhead = new Vector3(1, 0, 0);
+const MOST_POINTS = 200_000;
+const MOST_SOLIDS = 20_000;
+const LARGEST = 1e5;
+const AHEAD = new Vector3(1, 0, 0);
 
 /** As the message's constants number them. */
 export const MarkerType = {
-  arrow: 0, cube: 1, sphere: 2, cylinder: 3, lineStrip: 4, lineList: 5, cubeList: 6, sphereList: 7, points: 8, text: 9,
-  meshResource: 10, triangleList: 11, arrowStrip: 12,
+  arrow: 0,
+  cube: 1,
+  sphere: 2,
+  cylinder: 3,
+  lineStrip: 4,
+  lineList: 5,
+  cubeList: 6,
+  sphereList: 7,
+  points: 8,
+  text: 9,
+  meshResource: 10,
+  triangleList: 11,
+  arrowStrip: 12,
 } as const;
 
 interface Parts {
@@ -50,12 +59,12 @@ export interface MarkerCost {
 export function markerCost(marker: unknown): MarkerCost {
   const type = asNumber(member(marker, 'type'));
   const [all, text] = [member(marker, 'points'), member(marker, 'text')];
-  const points = Array.isArray(all) ? Math.min(all.length, kMostPoints) : 0;
+  const points = Array.isArray(all) ? Math.min(all.length, MOST_POINTS) : 0;
   const isStrip = type === MarkerType.arrowStrip;
   const isList = type === MarkerType.cubeList || type === MarkerType.sphereList || type === MarkerType.points;
   return {
     points,
-    solids: isStrip || (isList && points <= kMostSolids) ? Math.min(points, kMostSolids) : 0,
+    solids: isStrip || (isList && points <= MOST_SOLIDS) ? Math.min(points, MOST_SOLIDS) : 0,
     pixels: type === MarkerType.text && typeof text === 'string' ? pixelsOfWords(text) : 0,
   };
 }
@@ -67,7 +76,7 @@ export interface MarkerBuilt extends Built {
 export function markerShape(marker: unknown, meshes: MeshShelf): MarkerBuilt {
   const pose = readPose(member(marker, 'pose'));
   const scale = readVector(member(marker, 'scale'));
-  if (pose === null || scale === null || !isPlace(...pose.translation) || scale.some((part) => Math.abs(part) > kLargest))
+  if (pose === null || scale === null || !isPlace(...pose.translation) || scale.some((part) => Math.abs(part) > LARGEST))
     return { object: null, problem: panelTexts.scene.noPose };
   if (asNumber(member(marker, 'type')) === MarkerType.meshResource) {
     const placed = markerMesh(marker, scale, meshes);
@@ -79,11 +88,15 @@ export function markerShape(marker: unknown, meshes: MeshShelf): MarkerBuilt {
   const text = member(marker, 'text');
   const { places, colors } = readPoints(all, member(marker, 'colors'));
   const shape = shapeOf(asNumber(member(marker, 'type')), {
-    scale, look: colorOf(member(marker, 'color')), places, colors, text: typeof text === 'string' ? text : '',
+    scale,
+    look: colorOf(member(marker, 'color')),
+    places,
+    colors,
+    text: typeof text === 'string' ? text : '',
   });
   if (typeof shape === 'string') return { object: null, problem: shape };
   placeAt(shape, pose);
-  const missing = Array.isArray(all) ? all.length - kMostPoints : 0;
+  const missing = Array.isArray(all) ? all.length - MOST_POINTS : 0;
   // The marker's frame is that of what it stands in.
   return { object: new Group().add(shape), problem: missing > 0 ? panelTexts.scene.leftOut(missing) : '' };
 }
@@ -153,7 +166,7 @@ function arrowBetween({ places, scale: [shaft, head, headLength], look }: Parts,
 
 /** Arrows of two pieces each; all of one piece are drawn at once. */
 function arrowStrip({ places, scale: [shaft, head, headLength], look }: Parts): Object3D {
-  const most = Math.min(Math.max(0, places.length / 3 - 1), kMostSolids);
+  const most = Math.min(Math.max(0, places.length / 3 - 1), MOST_SOLIDS);
   const material = solid(look);
   const sticks = new InstancedMesh(arrow({ length: 1, shaft: 1, head: 0, headLength: 0 }), material, most);
   const tips = new InstancedMesh(arrow({ length: 1, shaft: 0, head: 1, headLength: 1 }), material, most);
@@ -166,7 +179,7 @@ function arrowStrip({ places, scale: [shaft, head, headLength], look }: Parts): 
     const tip = Math.min(headLength > 0 ? headLength : length * 0.23, length);
     // A flat stick has no sides that the light could fall on.
     const stick = Math.max(length - tip, length * 1e-6);
-    turn.setFromUnitVectors(kAhead, way.divideScalar(length));
+    turn.setFromUnitVectors(AHEAD, way.divideScalar(length));
     sticks.setMatrixAt(count, matrix.compose(at, turn, size.set(stick, shaft, shaft)));
     tips.setMatrixAt(count, matrix.compose(at.addScaledVector(way, length - tip), turn, size.set(tip, head, head)));
     count += 1;
@@ -180,7 +193,7 @@ function arrowStrip({ places, scale: [shaft, head, headLength], look }: Parts): 
 
 function many(geometry: BufferGeometry, { places, colors, look }: Parts): Object3D {
   const count = places.length / 3;
-  if (count > kMostSolids) {
+  if (count > MOST_SOLIDS) {
     geometry.dispose();
     const cloud = points(places, `#${look.color.getHexString()}`);
     if (colors !== null) {
@@ -217,7 +230,7 @@ function triangles({ places, colors, look, scale }: Parts): Object3D {
 
 /** Points that are no places are skipped, with their colours. */
 function readPoints(list: unknown, shades: unknown): Pick<Parts, 'places' | 'colors'> {
-  const all = Array.isArray(list) ? (list.slice(0, kMostPoints) as readonly unknown[]) : [];
+  const all = Array.isArray(list) ? (list.slice(0, MOST_POINTS) as readonly unknown[]) : [];
   const isColored = Array.isArray(shades) && Array.isArray(list) && shades.length === list.length && list.length > 0;
   const places = new Float32Array(all.length * 3);
   const colors = isColored ? new Float32Array(all.length * 3) : null;
@@ -236,4 +249,3 @@ function colorOf(value: unknown): Rgba {
   const part = (name: string): number => asNumber(member(value, name));
   return rgba(part('r'), part('g'), part('b'), part('a'));
 }
-

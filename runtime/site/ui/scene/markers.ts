@@ -13,10 +13,10 @@ import { markerCost, markerShape } from './marker_shape.ts';
 import type { MarkerBuilt, MarkerCost } from './marker_shape.ts';
 import type { MeshShelf, PlacedMesh } from './mesh_shelf.ts';
 
-const kMostMarkers = 5000;
+const MOST_MARKERS = 5000;
 /** Upper bounds for all markers of a display together. Some hundred MB at most. */
-const kMost: MarkerCost = { points: 1_000_000, solids: 100_000, pixels: 32_000_000 };
-const kNothing: MarkerCost = { points: 0, solids: 0, pixels: 0 };
+const MOST: MarkerCost = { points: 1_000_000, solids: 100_000, pixels: 32_000_000 };
+const NOTHING: MarkerCost = { points: 0, solids: 0, pixels: 0 };
 
 /** As the message's constants number them; 1 is no longer used. */
 const MarkerAction = { add: 0, remove: 2, removeAll: 3 } as const;
@@ -41,7 +41,7 @@ export class Markers implements Display {
   private readonly meshes: MeshShelf;
   private readonly kept = new Map<string, Kept>();
   private refused = false;
-  private spent = kNothing;
+  private spent = NOTHING;
 
   constructor(meshes: MeshShelf) {
     this.meshes = meshes;
@@ -69,7 +69,7 @@ export class Markers implements Display {
         this.withdraw(marker);
         const cost = markerCost(marker.message);
         const after = sum(this.spent, cost, 1);
-        const fits = after.points <= kMost.points && after.solids <= kMost.solids && after.pixels <= kMost.pixels;
+        const fits = after.points <= MOST.points && after.solids <= MOST.solids && after.pixels <= MOST.pixels;
         const built: MarkerBuilt = fits ? markerShape(marker.message, this.meshes) : { object: null, problem: panelTexts.scene.markersLeftOut };
         const { object, problem } = built;
         marker.mesh = built.mesh;
@@ -107,7 +107,7 @@ export class Markers implements Display {
     for (const { mesh } of this.kept.values()) mesh?.close();
     emptied(this.group);
     this.kept.clear();
-    this.spent = kNothing;
+    this.spent = NOTHING;
   }
 
   private takeOne(marker: unknown): void {
@@ -118,10 +118,10 @@ export class Markers implements Display {
         const header = { stamp: member(marker, 'frame_locked') === true ? NaN : stamp, frame };
         const lifetime = asNumber(member(marker, 'lifetime'));
         const known = this.kept.get(key);
-        this.refused = known === undefined && this.kept.size >= kMostMarkers;
+        this.refused = known === undefined && this.kept.size >= MOST_MARKERS;
         if (known !== undefined) Object.assign(known, { message: marker, header, lifetime });
         else if (!this.refused)
-          this.kept.set(key, { message: marker, object: null, cost: kNothing, header, problem: '', mesh: undefined, lifetime, ends: Infinity });
+          this.kept.set(key, { message: marker, object: null, cost: NOTHING, header, problem: '', mesh: undefined, lifetime, ends: Infinity });
         return;
       }
       case MarkerAction.remove:
@@ -150,7 +150,7 @@ export class Markers implements Display {
     disposeOf(object);
     marker.object = null;
     this.spent = sum(this.spent, cost, -1);
-    marker.cost = kNothing;
+    marker.cost = NOTHING;
   }
 }
 

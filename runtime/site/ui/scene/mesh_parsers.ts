@@ -16,16 +16,16 @@ import { readXml } from '../model/xml.ts';
 import type { XmlElement } from '../model/xml.ts';
 import { unreachable } from '../../contract/session.ts';
 import { panelTexts } from '../texts_panels.ts';
-import { kFarthest } from './places.ts';
-import { kMostMeshBytes, kMostTriangles, MeshFault } from './mesh_reading.ts';
+import { FARTHEST } from './places.ts';
+import { MOST_MESH_BYTES, MOST_TRIANGLES, MeshFault } from './mesh_reading.ts';
 import type { MeshFiles, ParsedMesh } from './mesh_reading.ts';
 
-const kMostNamed = 64;
-const kMostNodes = 20_000;
-const kMostNumbers = 20_000_000;
-const kDeepest = 200;
+const MOST_NAMED = 64;
+const MOST_NODES = 20_000;
+const MOST_NUMBERS = 20_000_000;
+const DEEPEST = 200;
 /** One white pixel, for pictures that are not there. */
-const kWhite = 'data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAAAAAAALAAAAAABAAEAAAICRAEAOw==';
+const WHITE = 'data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAAAAAAALAAAAAABAAEAAAICRAEAOw==';
 
 interface Look {
   readonly object: Object3D;
@@ -39,7 +39,7 @@ export async function parseMesh(kind: MeshKind, path: string, bytes: ArrayBuffer
   bared(object);
   const triangles = countTriangles(object, path);
   if (triangles === 0) throw new MeshFault(panelTexts.scene.mesh.unreadable(path, panelTexts.scene.mesh.empty));
-  if (triangles > kMostTriangles) throw new MeshFault(panelTexts.scene.mesh.triangles(path));
+  if (triangles > MOST_TRIANGLES) throw new MeshFault(panelTexts.scene.mesh.triangles(path));
   return { object, hasLook, triangles, note: named.note };
 }
 
@@ -62,7 +62,7 @@ async function lookOf(kind: MeshKind, bytes: ArrayBuffer, named: NamedFiles): Pr
 function readStl(bytes: ArrayBuffer, path: string): BufferGeometry {
   // A binary file says how many triangles of 50 bytes follow.
   const isBinary = bytes.byteLength >= 84 && 84 + 50 * new DataView(bytes).getUint32(80, true) === bytes.byteLength;
-  if (isBinary && new DataView(bytes).getUint32(80, true) > kMostTriangles) throw new MeshFault(panelTexts.scene.mesh.triangles(path));
+  if (isBinary && new DataView(bytes).getUint32(80, true) > MOST_TRIANGLES) throw new MeshFault(panelTexts.scene.mesh.triangles(path));
   if (!isBinary && !/^\s*solid/.test(new TextDecoder().decode(bytes.slice(0, 200))))
     throw new MeshFault(panelTexts.scene.mesh.unreadable(path, panelTexts.scene.mesh.cut));
   const geometry = new STLLoader().parse(bytes);
@@ -74,7 +74,7 @@ function readStl(bytes: ArrayBuffer, path: string): BufferGeometry {
 async function readCollada(text: string, named: NamedFiles): Promise<Object3D> {
   const root = readXml(text);
   if (root?.name !== 'COLLADA') throw new MeshFault(panelTexts.scene.mesh.unreadable(named.path, panelTexts.scene.mesh.noCollada));
-  if (nodesOf(root) > kMostNodes) throw new MeshFault(panelTexts.scene.mesh.triangles(named.path));
+  if (nodesOf(root) > MOST_NODES) throw new MeshFault(panelTexts.scene.mesh.triangles(named.path));
   for (const [, name = ''] of text.matchAll(/<init_from>\s*([^<>]{1,500}?)\s*<\/init_from>/g)) await named.fetch(name);
   const plain = text
     .replace(/<up_axis>[^<]*<\/up_axis>/g, '<up_axis>Y_UP</up_axis>')
@@ -96,7 +96,7 @@ function nodesOf(root: XmlElement): number {
   const count = (node: XmlElement, depth: number): number => {
     const known = counts.get(node);
     if (known !== undefined) return known;
-    if (depth > kDeepest) return Infinity;
+    if (depth > DEEPEST) return Infinity;
     counts.set(node, Infinity);
     let sum = 1;
     for (const child of node.children) {
@@ -140,7 +140,7 @@ async function readGltf(bytes: ArrayBuffer, named: NamedFiles): Promise<Object3D
     }
   const loader = new GLTFLoader(named.manager);
   loader.register((parser: GLTFParser) => {
-    const inner = parser as { textureLoader: unknown; fileLoader: unknown };
+    const inner = parser as { textureLoader: unknown; fileLoader: unknown; };
     // Its own would ask for pictures in a way that the page's policy forbids.
     inner.textureLoader = new TextureLoader(named.manager);
     inner.fileLoader = new NamedLoader(named);
@@ -173,7 +173,7 @@ function isSoundGltf(json: unknown): boolean {
   const roots = listOf(member(json, 'scenes')).flatMap((scene) => listOf(member(scene, 'nodes')));
   const isTree = new Set(children).size === children.length && !roots.some((root) => children.includes(root));
   const numbers = listOf(member(json, 'accessors')).reduce<number>((sum, each) => sum + Math.abs(Number(member(each, 'count'))), 0);
-  return isTree && nodes.length <= kMostNodes && children.length <= kMostNodes && numbers <= kMostNumbers;
+  return isTree && nodes.length <= MOST_NODES && children.length <= MOST_NODES && numbers <= MOST_NUMBERS;
 }
 
 /** The files that a mesh file refers to: read from the site before its loader asks. */
@@ -191,7 +191,7 @@ class NamedFiles {
   constructor(path: string, size: number, files: MeshFiles) {
     this.path = path;
     this.files = files;
-    this.left = kMostMeshBytes - size;
+    this.left = MOST_MESH_BYTES - size;
     this.manager.setURLModifier((name) => this.addressOf(name));
     const { itemStart, itemEnd } = this.manager;
     this.manager.itemStart = (url) => {
@@ -209,7 +209,7 @@ class NamedFiles {
   async fetch(name: string): Promise<ArrayBuffer | undefined> {
     const path = besidePath(this.path, name);
     const size = path === null ? undefined : this.files.size(path);
-    if (path === null || size === undefined || this.known.size >= kMostNamed || size > this.left) return undefined;
+    if (path === null || size === undefined || this.known.size >= MOST_NAMED || size > this.left) return undefined;
     const bytes = this.known.get(name) ?? await this.files.read(path);
     if (!this.known.has(name)) this.left -= bytes.byteLength;
     this.known.set(name, bytes);
@@ -228,7 +228,10 @@ class NamedFiles {
   async during(read: () => Promise<Look>): Promise<Look> {
     try {
       const look = await read();
-      if (this.open > 0) await new Promise<void>((resolve) => { this.done = resolve; });
+      if (this.open > 0)
+        await new Promise<void>((resolve) => {
+          this.done = resolve;
+        });
       return look;
     } finally {
       for (const address of this.addresses.values()) URL.revokeObjectURL(address);
@@ -242,7 +245,7 @@ class NamedFiles {
     const bytes = this.known.get(name);
     if (bytes === undefined) {
       this.missing(name);
-      return kWhite;
+      return WHITE;
     }
     const address = URL.createObjectURL(new Blob([bytes], /\.svg$/i.test(name) ? { type: 'image/svg+xml' } : {}));
     this.addresses.set(name, address);
@@ -260,7 +263,10 @@ class NamedLoader extends FileLoader {
   }
 
   override load(
-    url: string, onLoad?: (data: string | ArrayBuffer) => void, _?: unknown, onError?: (error: unknown) => void,
+    url: string,
+    onLoad?: (data: string | ArrayBuffer) => void,
+    _?: unknown,
+    onError?: (error: unknown) => void,
   ): undefined {
     const inline = /^data:[^,]{0,200};base64,/.exec(url)?.[0];
     try {
@@ -281,7 +287,7 @@ function bytesOfBase64(text: string): ArrayBuffer {
 function bared(object: Object3D): void {
   const gone: Object3D[] = [];
   object.traverse((one) => {
-    const { isLight, isCamera } = one as { readonly isLight?: boolean; readonly isCamera?: boolean };
+    const { isLight, isCamera } = one as { readonly isLight?: boolean; readonly isCamera?: boolean; };
     if (isLight === true || isCamera === true) gone.push(one);
     if (!(one instanceof Mesh)) return;
     const { material } = one as Mesh;
@@ -294,7 +300,7 @@ function withoutLostPictures(material: Material): void {
   const pictures = material as unknown as Record<string, unknown>;
   for (const [name, value] of Object.entries(pictures)) {
     if (!(value instanceof Texture)) continue;
-    const { image } = value as { readonly image?: { readonly width?: unknown } | null };
+    const { image } = value as { readonly image?: { readonly width?: unknown; } | null; };
     if (!(Number(image?.width) > 0)) pictures[name] = null;
   }
 }
@@ -308,7 +314,7 @@ function countTriangles(object: Object3D, path: string): number {
     const place = geometry.getAttribute('position') as BufferAttribute | undefined;
     if (place === undefined) return;
     for (const value of place.array)
-      if (!(Math.abs(value) < kFarthest)) throw new MeshFault(panelTexts.scene.mesh.unreadable(path, panelTexts.scene.mesh.noPlace));
+      if (!(Math.abs(value) < FARTHEST)) throw new MeshFault(panelTexts.scene.mesh.unreadable(path, panelTexts.scene.mesh.noPlace));
     count += Math.floor((geometry.index?.count ?? place.count) / 3);
   });
   return count;

@@ -20,9 +20,9 @@ export interface MeshFiles {
 }
 
 /** The size limit of a file together with the files that it names. */
-export const kMostMeshBytes = 1 << 26;
+export const MOST_MESH_BYTES = 1 << 26;
 /** The limit of a file; all files that are drawn may have twice as many. */
-export const kMostTriangles = 2_000_000;
+export const MOST_TRIANGLES = 2_000_000;
 
 /** Its message is words for the visitor. */
 export class MeshFault extends Error {}

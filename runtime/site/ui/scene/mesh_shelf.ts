@@ -5,7 +5,7 @@ import type { Material, Object3D } from 'three';
 import { meshKindOf, sitePathOf } from '../model/mesh_file.ts';
 import type { MeshKind } from '../model/mesh_file.ts';
 import { panelTexts } from '../texts_panels.ts';
-import { kMostMeshBytes, kMostTriangles, MeshFault } from './mesh_reading.ts';
+import { MOST_MESH_BYTES, MOST_TRIANGLES, MeshFault } from './mesh_reading.ts';
 import type { MeshFiles, ParsedMesh } from './mesh_reading.ts';
 import { solid } from './shapes.ts';
 import type { Rgba } from './shapes.ts';
@@ -28,10 +28,10 @@ export interface PlacedMesh {
   close(): void;
 }
 
-const kNotDrawn = 'R2W0743';
+const NOT_DRAWN = 'R2W0743';
 
 function meshProblem(words: string): string {
-  return `${words} (${kNotDrawn})`;
+  return `${words} (${NOT_DRAWN})`;
 }
 
 export class MeshShelf {
@@ -48,13 +48,21 @@ export class MeshShelf {
 
   place(wish: MeshWish): PlacedMesh {
     const object = new Group();
-    const placed = { object, problem: '', close: (): void => { closed = true; this.drawn -= triangles; triangles = 0; } };
+    const placed = {
+      object,
+      problem: '',
+      close: (): void => {
+        closed = true;
+        this.drawn -= triangles;
+        triangles = 0;
+      },
+    };
     let closed = false;
     let triangles = 0;
     const take = (found: ParsedMesh | MeshFault): void => {
       if (closed) return;
       if (found instanceof MeshFault) placed.problem = meshProblem(found.message);
-      else if (this.drawn + found.triangles > 2 * kMostTriangles)
+      else if (this.drawn + found.triangles > 2 * MOST_TRIANGLES)
         placed.problem = meshProblem(panelTexts.scene.mesh.tooMany(wish.file));
       else {
         triangles = found.triangles;
@@ -80,13 +88,13 @@ export class MeshShelf {
     const path = sitePathOf(file);
     if (kind === null) return new MeshFault(words.kind(file));
     if (bytes !== undefined) {
-      if (bytes.length > kMostMeshBytes) return new MeshFault(words.tooLarge(file));
+      if (bytes.length > MOST_MESH_BYTES) return new MeshFault(words.tooLarge(file));
       return this.parse(kind, path ?? 'share/marker/mesh', file, Promise.resolve(Uint8Array.from(bytes).buffer));
     }
     if (path === null) return new MeshFault(words.outside(file));
     const size = this.files.size(path);
     if (size === undefined) return new MeshFault(words.missing(path));
-    if (size > kMostMeshBytes) return new MeshFault(words.tooLarge(file));
+    if (size > MOST_MESH_BYTES) return new MeshFault(words.tooLarge(file));
     const known = this.known.get(path);
     if (known !== undefined) return known;
     const coming = this.parse(kind, path, file, this.files.read(path));

@@ -18,9 +18,9 @@ export class NewestDisplay implements Display {
   readonly group = new Group();
   problem = '';
   private readonly make: (message: unknown) => Built;
-  private waiting: { readonly message: unknown } | null = null;
+  private waiting: { readonly message: unknown; } | null = null;
   /** Kept for another theme or look. */
-  private shown: { readonly message: unknown } | null = null;
+  private shown: { readonly message: unknown; } | null = null;
   private header: HeaderView = { stamp: NaN, frame: '' };
 
   constructor(make: (message: unknown) => Built) {

@@ -1,9 +1,7 @@
 // nav_msgs/msg/OccupancyGrid as a picture on the ground, in the colours that RViz has for maps and for costmaps, with the
 // parts that map_msgs/msg/OccupancyGridUpdate brings later.
 
-import {
-  DataTexture, DoubleSide, Group, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, SRGBColorSpace,
-} from 'three';
+import { DataTexture, DoubleSide, Group, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, SRGBColorSpace } from 'three';
 import type { MapScheme } from '../model/display_look.ts';
 import { asNumber } from '../model/field_path.ts';
 import { member } from '../model/json.ts';
@@ -17,8 +15,8 @@ import { emptied } from './dispose.ts';
 import { placeAt } from './shapes.ts';
 
 /** Cells along one side that every graphics card takes; larger maps are thinned out. */
-const kMostSide = 4096;
-const kAlpha = 0.8;
+const MOST_SIDE = 4096;
+const ALPHA = 0.8;
 
 interface Grid {
   readonly header: HeaderView;
@@ -91,9 +89,8 @@ export class GridDisplay implements Display {
     if (grid === null) return; // it comes whole, sooner or later
     const [x, y, width, height] = ['x', 'y', 'width', 'height'].map((name) => asNumber(member(message, name)));
     const cells = member(message, 'data');
-    const fits =
-      x !== undefined && y !== undefined && width !== undefined && height !== undefined && cells instanceof Int8Array &&
-      x >= 0 && y >= 0 && width > 0 && height > 0 && x + width <= grid.width && y + height <= grid.height && cells.length === width * height;
+    const fits = x !== undefined && y !== undefined && width !== undefined && height !== undefined && cells instanceof Int8Array
+      && x >= 0 && y >= 0 && width > 0 && height > 0 && x + width <= grid.width && y + height <= grid.height && cells.length === width * height;
     if (!fits) {
       this.problem = sceneTexts.noMapUpdate;
       return;
@@ -109,7 +106,7 @@ export class GridDisplay implements Display {
     const { grid } = this;
     if (grid === null) return;
     const { width, height, resolution, origin } = grid;
-    this.step = Math.ceil(Math.max(width, height) / kMostSide);
+    this.step = Math.ceil(Math.max(width, height) / MOST_SIDE);
     const [columns, rows] = [Math.ceil(width / this.step), Math.ceil(height / this.step)];
     const texture = new DataTexture(new Uint8Array(columns * rows * 4), columns, rows);
     texture.colorSpace = SRGBColorSpace;
@@ -118,8 +115,14 @@ export class GridDisplay implements Display {
     texture.needsUpdate = true;
     this.texture = texture;
     const material = new MeshBasicMaterial({
-      map: texture, side: DoubleSide, transparent: true, opacity: this.context.look.alpha ?? kAlpha, depthWrite: false,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+      map: texture,
+      side: DoubleSide,
+      transparent: true,
+      opacity: this.context.look.alpha ?? ALPHA,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
     });
     const [along, across] = [columns * this.step * resolution, rows * this.step * resolution];
     const ground = new Mesh(new PlaneGeometry(along, across).translate(along / 2, across / 2, 0), material);
@@ -130,8 +133,8 @@ export class GridDisplay implements Display {
   }
 
   private paint({ cells, width }: Grid, texture: DataTexture, region: Region): void {
-    const { data: pixels, width: columns } = texture.image as { readonly data: Uint8Array; readonly width: number };
-    const colors = kColors[this.context.look.scheme ?? 'map'];
+    const { data: pixels, width: columns } = texture.image as { readonly data: Uint8Array; readonly width: number; };
+    const colors = COLORS[this.context.look.scheme ?? 'map'];
     const { step } = this;
     const first = (value: number): number => Math.ceil(value / step);
     for (let row = first(region.y); row * step < region.y + region.height; row += 1) {
@@ -151,17 +154,16 @@ function readGrid(message: unknown): Grid | null {
   const resolution = asNumber(member(info, 'resolution'));
   const origin = readPose(member(info, 'origin'));
   const cells = member(message, 'data');
-  const isSound =
-    cells instanceof Int8Array && Number.isInteger(width) && Number.isInteger(height) && width > 0 && height > 0 &&
-    cells.length === width * height && resolution > 0 && origin !== null &&
-    isPlace(...origin.translation) && isPlace(width * resolution, height * resolution, 0);
+  const isSound = cells instanceof Int8Array && Number.isInteger(width) && Number.isInteger(height) && width > 0 && height > 0
+    && cells.length === width * height && resolution > 0 && origin !== null
+    && isPlace(...origin.translation) && isPlace(width * resolution, height * resolution, 0);
   return isSound ? { header: readHeader(message), width, height, resolution, origin, cells: cells.slice() } : null;
 }
 
 type Color = readonly [red: number, green: number, blue: number, alpha: number];
 
 /** Red, green, blue and alpha of each cell, by its value as an unsigned byte. */
-const kColors: Readonly<Record<MapScheme, Uint8Array>> = {
+const COLORS: Readonly<Record<MapScheme, Uint8Array>> = {
   map: paletteOf((cell) => (cell <= 100 ? gray(255 - (255 * cell) / 100) : oddColor(cell))),
   costmap: paletteOf((cell) => {
     if (cell === 0) return [0, 0, 0, 0]; // free: what is below is seen

@@ -12,8 +12,8 @@ import { NewestDisplay } from './newest_display.ts';
 import { arrows, singlePose } from './poses.ts';
 import { lookOf } from './shapes.ts';
 
-const kLeastWay = 0.1; // metres
-const kLeastTurn = 0.1; // radians
+const LEAST_WAY = 0.1; // metres
+const LEAST_TURN = 0.1; // radians
 
 export class OdometryTrail implements Display {
   readonly group = new Group();
@@ -82,5 +82,5 @@ function isApart(from: Transform, to: Transform): boolean {
   const [x, y, z] = from.translation;
   const [a, b, c] = to.translation;
   const along = from.rotation.reduce((sum, part, index) => sum + part * (to.rotation[index] ?? 0), 0);
-  return Math.hypot(a - x, b - y, c - z) >= kLeastWay || 2 * Math.acos(Math.min(1, Math.abs(along))) >= kLeastTurn;
+  return Math.hypot(a - x, b - y, c - z) >= LEAST_WAY || 2 * Math.acos(Math.min(1, Math.abs(along))) >= LEAST_TURN;
 }

@@ -2,7 +2,7 @@
 
 import { fetchOfSite } from '../../program/carried_files.ts';
 import type { PageTimer, Session } from '../../contract/session.ts';
-import { kUsualView } from '../model/camera_view.ts';
+import { USUAL_VIEW } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import type { TransformTree } from '../model/transform_tree.ts';
 import { panelTexts } from '../texts_panels.ts';
@@ -13,7 +13,7 @@ import { SceneView } from './scene_view.ts';
 import type { SceneHost } from './scene_view.ts';
 import { Stage } from './stage.ts';
 
-const kWordsMs = 250;
+const WORDS_MS = 250;
 
 export interface OpenScene {
   readonly view: SceneView;
@@ -63,7 +63,7 @@ export function openScene(opening: SceneOpening): OpenScene | null {
   const stop = controlCamera(canvas, {
     view: () => view.view,
     look: (next) => view.look(next),
-    home: () => view.look({ ...kUsualView, top: view.view.top }),
+    home: () => view.look({ ...USUAL_VIEW, top: view.view.top }),
     groundAt: (x, y) => stage.groundAt(x, y),
     aim: (pose) => view.aim(pose),
     ...opening.hand({ view, stage }),
@@ -76,7 +76,7 @@ export function openScene(opening: SceneOpening): OpenScene | null {
   const timer = setInterval(() => {
     if (told !== view.version) onWords();
     told = view.version;
-  }, kWordsMs);
+  }, WORDS_MS);
   return {
     view,
     stage,

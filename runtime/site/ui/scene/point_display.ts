@@ -13,12 +13,12 @@ import { asNumber } from '../model/field_path.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { Anchored, Display, DisplayContext } from './display.ts';
 import { disposeOf } from './dispose.ts';
-import { kPointSize, linear } from './points.ts';
+import { POINT_SIZE, linear } from './points.ts';
 import { lookOf } from './shapes.ts';
 
 /** Upper bound of the points of all messages that are shown together. */
-const kMostKept = 4_000_000;
-const kMostMessages = 2000;
+const MOST_KEPT = 4_000_000;
+const MOST_MESSAGES = 2000;
 
 type Read = (message: unknown, by: PointColors) => PointCloud | string;
 
@@ -62,7 +62,7 @@ export class PointDisplay implements Display {
 
   take(message: unknown): void {
     if (this.decay === 0) this.waiting = [message];
-    else if (this.waiting.length < kMostMessages) this.waiting.push(message);
+    else if (this.waiting.length < MOST_MESSAGES) this.waiting.push(message);
   }
 
   repaint(): void {
@@ -70,7 +70,7 @@ export class PointDisplay implements Display {
   }
 
   build(now: number): number | undefined {
-    if (this.isRepainted) for (const slot of this.slots) this.fill(slot, slot.message);
+    if (this.isRepainted) { for (const slot of this.slots) this.fill(slot, slot.message); }
     this.isRepainted = false;
     const came = this.waiting;
     this.waiting = [];
@@ -87,7 +87,7 @@ export class PointDisplay implements Display {
     // The newest one stays.
     while (this.slots.length > 1) {
       const [slot] = this.slots;
-      if (slot === undefined || (slot.came + decay > now && held <= kMostKept && this.slots.length <= kMostMessages)) break;
+      if (slot === undefined || (slot.came + decay > now && held <= MOST_KEPT && this.slots.length <= MOST_MESSAGES)) break;
       this.slots.shift();
       held -= slot.sources.length;
       this.group.remove(slot.object);
@@ -153,7 +153,7 @@ export class PointDisplay implements Display {
     material.transparent = alpha < 1;
     material.opacity = alpha;
     material.depthWrite = alpha >= 1;
-    material.size = look.size ?? kPointSize;
+    material.size = look.size ?? POINT_SIZE;
   }
 }
 

@@ -2,10 +2,10 @@
 
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial, Color, SRGBColorSpace } from 'three';
 
-export const kPointSize = 3; // pixels
+export const POINT_SIZE = 3; // pixels
 
 /** Points of one colour, or with a colour each: red, green, blue from 0 to 1, as on a screen. */
-export function points(positions: Float32Array, colors: string | Float32Array, size = kPointSize): Points<BufferGeometry, PointsMaterial> {
+export function points(positions: Float32Array, colors: string | Float32Array, size = POINT_SIZE): Points<BufferGeometry, PointsMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   const material = new PointsMaterial({ size, sizeAttenuation: false });
@@ -23,8 +23,8 @@ export function points(positions: Float32Array, colors: string | Float32Array, s
 
 /** three reckons with light, not with a screen's numbers. */
 export function linear(colors: Float32Array, out: Float32Array = new Float32Array(colors.length)): Float32Array {
-  for (let i = 0; i < colors.length; i += 1) out[i] = kLight[Math.round((colors[i] ?? 0) * 255)] ?? 0;
+  for (let i = 0; i < colors.length; i += 1) out[i] = LIGHT[Math.round((colors[i] ?? 0) * 255)] ?? 0;
   return out;
 }
 
-const kLight = Float32Array.from({ length: 256 }, (_, i) => new Color().setRGB(i / 255, 0, 0, SRGBColorSpace).r);
+const LIGHT = Float32Array.from({ length: 256 }, (_, i) => new Color().setRGB(i / 255, 0, 0, SRGBColorSpace).r);

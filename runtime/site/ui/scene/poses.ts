@@ -14,11 +14,11 @@ import { lines, pairsOf } from './lines.ts';
 import { arrow, mesh, placeAt, solid } from './shapes.ts';
 import type { ArrowSize, Rgba } from './shapes.ts';
 
-const kOne: ArrowSize = { length: 0.6, shaft: 0.05, head: 0.14, headLength: 0.18 };
-const kMany: ArrowSize = { length: 0.3, shaft: 0.025, head: 0.07, headLength: 0.09 };
-const kPathWidth = { width: 3, unit: 'pixels' } as const;
-const kMostPoses = 100_000;
-const kMostArrows = 10_000;
+const ONE: ArrowSize = { length: 0.6, shaft: 0.05, head: 0.14, headLength: 0.18 };
+const MANY: ArrowSize = { length: 0.3, shaft: 0.025, head: 0.07, headLength: 0.09 };
+const PATH_WIDTH = { width: 3, unit: 'pixels' } as const;
+const MOST_POSES = 100_000;
+const MOST_ARROWS = 10_000;
 
 type Make = (message: unknown) => Built;
 
@@ -28,7 +28,7 @@ export function singlePose(look: Rgba): Make {
     const outer = member(message, 'pose');
     const pose = readPose(member(outer, 'pose') ?? outer);
     if (pose === null || !isPlace(...pose.translation)) return { object: null, problem: panelTexts.scene.noPose };
-    const pointer = mesh(arrow(kOne), look);
+    const pointer = mesh(arrow(ONE), look);
     const spread = readCovariance(member(outer, 'covariance'));
     if (spread === null) {
       placeAt(pointer, pose);
@@ -54,7 +54,7 @@ function spreadOf({ ellipse, heading }: Spread, { rotation: [x, y, z, w] }: Tran
     parts.push(part);
   }
   if (heading > 0) {
-    const part = flat(new CircleGeometry(kOne.length, 32, -heading, 2 * heading), 0.35);
+    const part = flat(new CircleGeometry(ONE.length, 32, -heading, 2 * heading), 0.35);
     part.rotation.z = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
     parts.push(part);
   }
@@ -63,7 +63,7 @@ function spreadOf({ ellipse, heading }: Spread, { rotation: [x, y, z, w] }: Tran
 
 /** Small ones, drawn at once. */
 export function arrows(poses: readonly Transform[], look: Rgba): InstancedMesh {
-  const instances = new InstancedMesh(arrow(kMany), solid(look), poses.length);
+  const instances = new InstancedMesh(arrow(MANY), solid(look), poses.length);
   const one = new Vector3(1, 1, 1);
   const matrix = new Matrix4();
   for (const [index, { translation, rotation }] of poses.entries())
@@ -75,7 +75,7 @@ export function arrows(poses: readonly Transform[], look: Rgba): InstancedMesh {
 /** geometry_msgs/msg/PoseArray. */
 export function poseArray(look: Rgba): Make {
   return (message) => {
-    const { poses, problem } = readPoses(member(message, 'poses'), kMostArrows, (item) => item);
+    const { poses, problem } = readPoses(member(message, 'poses'), MOST_ARROWS, (item) => item);
     return { object: arrows(poses, look), problem };
   };
 }
@@ -84,14 +84,14 @@ export function poseArray(look: Rgba): Make {
 export function path(look: Rgba): Make {
   return (message) => {
     const list = member(message, 'poses');
-    const { poses, problem } = readPoses(list, kMostPoses, (item) => member(item, 'pose'));
+    const { poses, problem } = readPoses(list, MOST_POSES, (item) => member(item, 'pose'));
     const positions = new Float32Array(poses.length * 3);
     for (const [index, { translation }] of poses.entries()) positions.set(translation, index * 3);
     // Some fill in the header of the poses only.
     const header = readHeader(message);
     const first: unknown = Array.isArray(list) ? list[0] : undefined;
     const frame = header.frame === '' ? readHeader(first).frame : header.frame;
-    return { object: lines(pairsOf(positions), look, null, kPathWidth), problem, header: { ...header, frame } };
+    return { object: lines(pairsOf(positions), look, null, PATH_WIDTH), problem, header: { ...header, frame } };
   };
 }
 
@@ -99,7 +99,7 @@ function readPoses(
   list: unknown,
   most: number,
   poseOf: (item: unknown) => unknown,
-): { readonly poses: readonly Transform[]; readonly problem: string } {
+): { readonly poses: readonly Transform[]; readonly problem: string; } {
   if (!Array.isArray(list)) return { poses: [], problem: panelTexts.scene.noPose };
   const poses = (list.slice(0, most) as readonly unknown[])
     .map((item) => readPose(poseOf(item)))

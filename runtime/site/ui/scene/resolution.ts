@@ -2,14 +2,14 @@
 // where the processor draws them. Pure but for the look at the driver.
 
 /** A picture is too expensive when the page's next frame comes later than this. */
-const kDear = 21; // ms
+const DEAR = 21; // ms
 /** One that leaves so much room may be finer. */
-const kCheap = 17.5; // ms
-const kLeast = 0.4;
-const kCoarser = 0.8;
-const kFiner = 1.1;
+const CHEAP = 17.5; // ms
+const LEAST = 0.4;
+const COARSER = 0.8;
+const FINER = 1.1;
 /** So many pictures one after the other, before anything is changed. */
-const kPatience = { coarser: 3, finer: 40, longest: 640 } as const;
+const PATIENCE = { coarser: 3, finer: 40, longest: 640 } as const;
 
 export class Resolution {
   private scale = 1;
@@ -18,7 +18,7 @@ export class Resolution {
   /** The last change was to a finer one. */
   private tried = false;
   /** Cheap pictures before the next try: more after each that was in vain, so that the picture does not pulsate. */
-  private patience: number = kPatience.finer;
+  private patience: number = PATIENCE.finer;
 
   /** The share of the screen's own resolution. */
   get share(): number {
@@ -27,21 +27,21 @@ export class Resolution {
 
   /** A picture was drawn; `ms`: until the page's next frame. True: the next one is to be drawn otherwise. */
   tell(ms: number): boolean {
-    this.dear = ms > kDear ? this.dear + 1 : 0;
-    this.cheap = ms < kCheap ? this.cheap + 1 : ms > kDear ? 0 : this.cheap;
+    this.dear = ms > DEAR ? this.dear + 1 : 0;
+    this.cheap = ms < CHEAP ? this.cheap + 1 : ms > DEAR ? 0 : this.cheap;
     const before = this.scale;
-    if (this.dear >= kPatience.coarser) {
-      this.patience = this.tried ? Math.min(2 * this.patience, kPatience.longest) : kPatience.finer;
-      this.change(kCoarser);
+    if (this.dear >= PATIENCE.coarser) {
+      this.patience = this.tried ? Math.min(2 * this.patience, PATIENCE.longest) : PATIENCE.finer;
+      this.change(COARSER);
     } else if (this.cheap >= this.patience) {
-      this.change(kFiner);
+      this.change(FINER);
     }
     return this.scale !== before;
   }
 
   private change(factor: number): void {
-    this.scale = Math.min(1, Math.max(kLeast, this.scale * factor));
-    this.tried = factor === kFiner;
+    this.scale = Math.min(1, Math.max(LEAST, this.scale * factor));
+    this.tried = factor === FINER;
     this.dear = 0;
     this.cheap = 0;
   }

@@ -13,11 +13,11 @@ import { ball, box, cylinder, mesh, named, placeAt, rgba } from './shapes.ts';
 import type { Rgba } from './shapes.ts';
 import type { BufferGeometry } from 'three';
 
-const kPlain = '#b9c0ca';
+const PLAIN = '#b9c0ca';
 /** The look of collision shapes: transparent, so that the visual shapes inside are seen. */
-const kCollision: Rgba = { ...named('#e5a03d'), alpha: 0.55 };
+const COLLISION: Rgba = { ...named('#e5a03d'), alpha: 0.55 };
 /** That are said at once. */
-const kMostFaults = 3;
+const MOST_FAULTS = 3;
 
 export class RobotModel implements Display {
   readonly group = new Group();
@@ -34,7 +34,7 @@ export class RobotModel implements Display {
 
   get problem(): string {
     const faults = new Set([this.fault, ...this.placed.map(({ problem }) => problem)].filter((one) => one !== ''));
-    return [...faults].slice(0, kMostFaults).join('; ');
+    return [...faults].slice(0, MOST_FAULTS).join('; ');
   }
 
   take(message: unknown): void {
@@ -62,10 +62,10 @@ export class RobotModel implements Display {
     for (const { name, visuals, collisions } of robot.links) {
       const link = new Group();
       for (const visual of hideVisual ? [] : visuals) {
-        const own = visual.color === null ? named(kPlain) : rgba(...visual.color);
+        const own = visual.color === null ? named(PLAIN) : rgba(...visual.color);
         link.add(this.part(visual, { ...own, alpha: own.alpha * alpha }, alpha === 1));
       }
-      for (const each of collision ? collisions : []) link.add(this.part(each, kCollision, false));
+      for (const each of collision ? collisions : []) link.add(this.part(each, COLLISION, false));
       if (link.children.length > 0) links.push({ object: link, header: { stamp: NaN, frame: name } });
     }
     this.links = links;
@@ -99,7 +99,7 @@ export class RobotModel implements Display {
   }
 }
 
-function geometryOf(shape: Exclude<LinkShape, { kind: 'mesh' }>): BufferGeometry {
+function geometryOf(shape: Exclude<LinkShape, { kind: 'mesh'; }>): BufferGeometry {
   switch (shape.kind) {
     case 'box':
       return box(...shape.size);

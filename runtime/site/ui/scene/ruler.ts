@@ -7,7 +7,7 @@ import { lines } from './lines.ts';
 import { points } from './points.ts';
 import { named } from './shapes.ts';
 
-const kColor = '#b455d6';
+const COLOR = '#b455d6';
 
 export class Ruler {
   readonly group = new Group();
@@ -15,8 +15,8 @@ export class Ruler {
   set(places: readonly Vector[]): void {
     emptied(this.group);
     if (places.length === 0) return;
-    const dots = points(Float32Array.from(places.flat()), kColor, 8);
-    const line = lines(Float32Array.from(places.length < 2 ? [] : places.flat()), named(kColor), null, { width: 2, unit: 'pixels' });
+    const dots = points(Float32Array.from(places.flat()), COLOR, 8);
+    const line = lines(Float32Array.from(places.length < 2 ? [] : places.flat()), named(COLOR), null, { width: 2, unit: 'pixels' });
     dots.material.depthTest = false;
     for (const [order, part] of [line, dots].entries()) {
       part.renderOrder = 3 + order;

@@ -2,7 +2,7 @@
 // fixed frame. Everything is made and placed just before it is drawn.
 
 import type { CameraView } from '../model/camera_view.ts';
-import { kIdentity } from '../model/transform.ts';
+import { IDENTITY } from '../model/transform.ts';
 import type { HeaderView, Vector } from '../model/transform.ts';
 import type { Lookup, TransformTree } from '../model/transform_tree.ts';
 import { unreachable } from '../../contract/session.ts';
@@ -19,7 +19,7 @@ import { placeAt } from './shapes.ts';
 import type { Stage } from './stage.ts';
 
 /** The fixed frame when nobody chose one: the first of these that there is, else a root. */
-const kUsualFrames = ['map', 'odom', 'world', 'base_link'] as const;
+const USUAL_FRAMES = ['map', 'odom', 'world', 'base_link'] as const;
 
 export interface SceneHost {
   /** Seconds of the site's time. */
@@ -87,7 +87,7 @@ export class SceneView {
     this.stage.setView(view);
   }
 
-  show({ grid, frames, names }: { readonly grid: boolean; readonly frames: boolean; readonly names: boolean }): void {
+  show({ grid, frames, names }: { readonly grid: boolean; readonly frames: boolean; readonly names: boolean; }): void {
     this.axes.group.visible = frames;
     this.axes.showNames(names);
     this.stage.showGrid(grid);
@@ -96,8 +96,12 @@ export class SceneView {
   get displayColors(): DisplayColors {
     const { stage } = this;
     return {
-      get text() { return stage.colors.text; },
-      get accent() { return stage.colors.accent; },
+      get text() {
+        return stage.colors.text;
+      },
+      get accent() {
+        return stage.colors.accent;
+      },
     };
   }
 
@@ -181,7 +185,7 @@ export class SceneView {
     if (this.framesMoved) this.arrangeFrames();
     this.framesMoved = false;
     const eye = this.followed === '' ? null : this.lookup({ frame: this.followed, stamp: NaN });
-    this.stage.setOrigin(eye?.kind === 'found' ? eye.transform.translation : kIdentity.translation);
+    this.stage.setOrigin(eye?.kind === 'found' ? eye.transform.translation : IDENTITY.translation);
     this.axes.fit(this.camera);
     for (const [topic, display] of this.displays) this.lost.set(topic, this.place(display));
     this.host.arranged?.();
@@ -224,12 +228,12 @@ export class SceneView {
 
   private lookup({ frame, stamp }: HeaderView): Lookup {
     // An object in the fixed frame has its place even if no transform mentions that frame.
-    if (frame === this.fixed) return { kind: 'found', transform: kIdentity };
+    if (frame === this.fixed) return { kind: 'found', transform: IDENTITY };
     return this.tree.lookup(this.fixed, frame, stamp);
   }
 
   private usualFrame(): string {
-    for (const name of kUsualFrames) if (this.tree.has(name)) return name;
+    for (const name of USUAL_FRAMES) if (this.tree.has(name)) return name;
     const [root] = this.tree.roots();
     if (root !== undefined) return root;
     for (const display of this.displays.values())
@@ -238,7 +242,7 @@ export class SceneView {
   }
 }
 
-function lostWords(lookup: Exclude<Lookup, { kind: 'found' }>, frame: string, fixed: string): string {
+function lostWords(lookup: Exclude<Lookup, { kind: 'found'; }>, frame: string, fixed: string): string {
   if (frame === '') return panelTexts.scene.noFrame;
   switch (lookup.kind) {
     case 'unknown':

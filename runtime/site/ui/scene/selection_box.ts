@@ -6,7 +6,7 @@ import type { Display } from './display.ts';
 import { disposeOf } from './dispose.ts';
 
 /** Boxes larger than this, in metres, such as that of a floor, would only be in the way. */
-const kLargest = 30;
+const LARGEST = 30;
 
 export class SelectionBox {
   readonly group = new Group();
@@ -32,7 +32,7 @@ export class SelectionBox {
     this.bounds.makeEmpty();
     for (const { object, header } of display.anchored()) if (fits(header.frame)) this.bounds.expandByObject(object);
     const { min, max } = this.bounds;
-    this.box.visible = !this.bounds.isEmpty() && max.distanceTo(min) < kLargest;
+    this.box.visible = !this.bounds.isEmpty() && max.distanceTo(min) < LARGEST;
     if (this.box.visible) this.bounds.expandByScalar(0.01);
   }
 

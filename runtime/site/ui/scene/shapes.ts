@@ -1,8 +1,21 @@
 // Solid shapes that displays share: boxes, balls, cylinders, arrows, lines, written words.
 
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, LineBasicMaterial, LineSegments,
-  Mesh, MeshStandardMaterial, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  Color,
+  ConeGeometry,
+  CylinderGeometry,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  SphereGeometry,
+  Sprite,
+  SpriteMaterial,
+  SRGBColorSpace,
 } from 'three';
 import type { Object3D } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
@@ -24,13 +37,20 @@ export function named(color: string): Rgba {
 }
 
 /** As was chosen for the display, or else of the page's colour. */
-export function lookOf({ colors, look }: { readonly colors: { readonly accent: string }; readonly look: DisplayLook }, usual = colors.accent, usualAlpha = 1): Rgba {
+export function lookOf({ colors, look }: { readonly colors: { readonly accent: string; }; readonly look: DisplayLook; }, usual = colors.accent,
+  usualAlpha = 1): Rgba
+{
   return { color: new Color(look.color ?? usual), alpha: look.alpha ?? usualAlpha };
 }
 
 export function solid({ color, alpha }: Rgba): MeshStandardMaterial {
   return new MeshStandardMaterial({
-    color, roughness: 0.7, metalness: 0, transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1,
+    color,
+    roughness: 0.7,
+    metalness: 0,
+    transparent: alpha < 1,
+    opacity: alpha,
+    depthWrite: alpha >= 1,
   });
 }
 
@@ -93,22 +113,22 @@ export function placeAt(object: Object3D, { translation, rotation }: Transform):
   object.quaternion.set(...rotation);
 }
 
-const kLetterPixels = 48;
-const kMostLetters = 200;
-const kMostLines = 20;
-const kWidest = 4096;
+const LETTER_PIXELS = 48;
+const MOST_LETTERS = 200;
+const MOST_LINES = 20;
+const WIDEST = 4096;
 
 function linesOf(text: string): readonly string[] {
-  const shown = [...text.slice(0, 4 * kMostLetters)].slice(0, kMostLetters).join('');
-  return shown.split('\n').slice(0, kMostLines);
+  const shown = [...text.slice(0, 4 * MOST_LETTERS)].slice(0, MOST_LETTERS).join('');
+  return shown.split('\n').slice(0, MOST_LINES);
 }
 
 /** The most that words() draws of the lines: letters are seldom wider than high. */
-function roomOf(lines: readonly string[]): { readonly width: number; readonly height: number } {
+function roomOf(lines: readonly string[]): { readonly width: number; readonly height: number; } {
   const longest = Math.max(...lines.map(({ length }) => length));
   return {
-    width: Math.min(kWidest, longest * kLetterPixels + 8),
-    height: Math.ceil(lines.length * kLetterPixels * 1.3),
+    width: Math.min(WIDEST, longest * LETTER_PIXELS + 8),
+    height: Math.ceil(lines.length * LETTER_PIXELS * 1.3),
   };
 }
 
@@ -122,7 +142,7 @@ export function pixelsOfWords(text: string): number {
 export function words(text: string, height: number, look: Rgba, fixed: boolean): Sprite {
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
-  const font = `${kLetterPixels}px system-ui, sans-serif`;
+  const font = `${LETTER_PIXELS}px system-ui, sans-serif`;
   const lines = linesOf(text);
   const room = roomOf(lines);
   if (context !== null) {
@@ -133,15 +153,20 @@ export function words(text: string, height: number, look: Rgba, fixed: boolean):
     context.font = font;
     context.textBaseline = 'middle';
     context.fillStyle = '#ffffff';
-    for (const [index, line] of lines.entries()) context.fillText(line, 4, (index + 0.5) * kLetterPixels * 1.3);
+    for (const [index, line] of lines.entries()) context.fillText(line, 4, (index + 0.5) * LETTER_PIXELS * 1.3);
   }
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
   const material = new SpriteMaterial({
-    map: texture, color: look.color, opacity: look.alpha, transparent: true, depthWrite: false, sizeAttenuation: !fixed,
+    map: texture,
+    color: look.color,
+    opacity: look.alpha,
+    transparent: true,
+    depthWrite: false,
+    sizeAttenuation: !fixed,
   });
   const sprite = new Sprite(material);
-  const scale = height / (kLetterPixels * 0.72);
+  const scale = height / (LETTER_PIXELS * 0.72);
   sprite.scale.set(canvas.width * scale, canvas.height * scale, 1);
   return sprite;
 }

@@ -7,16 +7,16 @@ import { readVector } from '../model/transform.ts';
 import type { Vector } from '../model/transform.ts';
 import { panelTexts } from '../texts_panels.ts';
 import { sceneTexts } from '../texts_scene.ts';
-import { kFarthest, isPlace } from './places.ts';
+import { FARTHEST, isPlace } from './places.ts';
 import { lines, pairsOf } from './lines.ts';
 import type { Built } from './newest_display.ts';
 import { arrow, ball, mesh } from './shapes.ts';
 import type { Rgba } from './shapes.ts';
 
-const kMostCorners = 100_000;
-const kMostCells = 200_000;
-const kPointRadius = 0.2; // metres, as in RViz
-const kWidth = { width: 2, unit: 'pixels' } as const;
+const MOST_CORNERS = 100_000;
+const MOST_CELLS = 200_000;
+const POINT_RADIUS = 0.2; // metres, as in RViz
+const WIDTH = { width: 2, unit: 'pixels' } as const;
 
 type Make = (message: unknown) => Built;
 
@@ -27,7 +27,7 @@ export function pointBall(look: Rgba): Make {
   return (message) => {
     const place = readVector(member(message, 'point'));
     if (place === null || !isPlace(...place)) return nothing(sceneTexts.noPlace);
-    const object = mesh(ball().scale(2 * kPointRadius, 2 * kPointRadius, 2 * kPointRadius), look);
+    const object = mesh(ball().scale(2 * POINT_RADIUS, 2 * POINT_RADIUS, 2 * POINT_RADIUS), look);
     object.position.set(...place);
     return { object, problem: '' };
   };
@@ -38,10 +38,10 @@ export function polygon(look: Rgba): Make {
   return (message) => {
     const list = member(member(message, 'polygon'), 'points');
     if (!Array.isArray(list)) return nothing(sceneTexts.noPlace);
-    const corners = placesOf(list.slice(0, kMostCorners));
+    const corners = placesOf(list.slice(0, MOST_CORNERS));
     const [first] = corners;
     const closed = new Float32Array(first === undefined ? [] : [...corners, first].flat());
-    return { object: lines(pairsOf(closed), look, null, kWidth), problem: leftOut(list.length - kMostCorners) };
+    return { object: lines(pairsOf(closed), look, null, WIDTH), problem: leftOut(list.length - MOST_CORNERS) };
   };
 }
 
@@ -52,9 +52,9 @@ export function rangeCone(look: Rgba): Make {
     if (view === undefined || least === undefined || most === undefined || range === undefined || !(view >= 0 && view < Math.PI))
       return nothing(sceneTexts.noRange);
     // A sensor that tells only near and far says so by infinities; others say by them that nothing is there.
-    const isInside = range >= least && range <= most && range < kFarthest;
+    const isInside = range >= least && range <= most && range < FARTHEST;
     const length = least === most && range === -Infinity ? least : isInside ? range : 0;
-    if (!(length > 0 && length < kFarthest)) return { object: null, problem: '' };
+    if (!(length > 0 && length < FARTHEST)) return { object: null, problem: '' };
     const radius = Math.tan(view / 2) * length;
     const cone = new ConeGeometry(Math.max(radius, length / 1000), length, 40).rotateZ(Math.PI / 2).translate(length / 2, 0, 0);
     const object = mesh(cone, look);
@@ -94,14 +94,14 @@ export function gridCells(look: Rgba): Make {
   return (message) => {
     const [width, height] = [asNumber(member(message, 'cell_width')), asNumber(member(message, 'cell_height'))];
     const list = member(message, 'cells');
-    if (!Array.isArray(list) || !(width > 0 && width < kFarthest && height > 0 && height < kFarthest)) return nothing(sceneTexts.noCells);
-    const cells = placesOf(list.slice(0, kMostCells));
+    if (!Array.isArray(list) || !(width > 0 && width < FARTHEST && height > 0 && height < FARTHEST)) return nothing(sceneTexts.noCells);
+    const cells = placesOf(list.slice(0, MOST_CELLS));
     const material = new MeshBasicMaterial({ color: look.color, transparent: look.alpha < 1, opacity: look.alpha, side: DoubleSide });
     const object = new InstancedMesh(new PlaneGeometry(width, height), material, cells.length);
     const matrix = new Matrix4();
     for (const [index, [x, y, z]] of cells.entries()) object.setMatrixAt(index, matrix.makeTranslation(x, y, z));
     object.frustumCulled = false;
-    return { object, problem: leftOut(list.length - kMostCells) };
+    return { object, problem: leftOut(list.length - MOST_CELLS) };
   };
 }
 

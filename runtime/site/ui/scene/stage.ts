@@ -2,21 +2,33 @@
 // to and is in sight, once per animation frame at most, and not at all otherwise.
 
 import {
-  AmbientLight, Color, DirectionalLight, GridHelper, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene,
-  Mesh, MeshStandardMaterial, Vector2, Vector3, WebGLRenderer,
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  GridHelper,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Mesh,
+  MeshStandardMaterial,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 import type { Intersection, Material, Object3D } from 'three';
-import { eyeOf, kFieldOfView, metresPerPixel } from '../model/camera_view.ts';
+import { eyeOf, FIELD_OF_VIEW, metresPerPixel } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import type { Vector } from '../model/transform.ts';
 import { disposeOf } from './dispose.ts';
 import { drawsInSoftware, Resolution } from './resolution.ts';
 
-const kMostPixelRatio = 2;
-const kRestMs = 400;
+const MOST_PIXEL_RATIO = 2;
+const REST_MS = 400;
 /** Pixels beside a point or a line that count as on it. */
-const kReach = 5;
-const kGround = new Plane(new Vector3(0, 0, 1), 0);
+const REACH = 5;
+const GROUND = new Plane(new Vector3(0, 0, 1), 0);
 
 export interface StageColors {
   readonly text: string;
@@ -28,7 +40,7 @@ export class Stage {
   readonly scene = new Scene();
   colors: StageColors;
   private readonly renderer: WebGLRenderer;
-  private readonly perspective = new PerspectiveCamera((kFieldOfView * 180) / Math.PI, 1, 0.01, 1000);
+  private readonly perspective = new PerspectiveCamera((FIELD_OF_VIEW * 180) / Math.PI, 1, 0.01, 1000);
   private readonly flat = new OrthographicCamera(-1, 1, 1, -1, 0.01, 1000);
   private readonly observer: ResizeObserver;
   private grid: GridHelper | null = null;
@@ -128,7 +140,7 @@ export class Stage {
     this.sun.shadow.normalBias = 0.01;
     this.scene.traverse((one) => {
       // Whether a material takes shadows is part of its program.
-      if (one instanceof Mesh) for (const each of [one.material].flat()) (each as Material).needsUpdate = true;
+      if (one instanceof Mesh) { for (const each of [one.material].flat()) (each as Material).needsUpdate = true; }
     });
     this.draw();
   }
@@ -159,7 +171,7 @@ export class Stage {
 
   /** Where a point of the canvas, in pixels from its corner, meets the ground; null when it looks past it. */
   groundAt(x: number, y: number): Vector | null {
-    const met = this.ray(x, y).ray.intersectPlane(kGround, new Vector3());
+    const met = this.ray(x, y).ray.intersectPlane(GROUND, new Vector3());
     return met === null || met.length() > 1e6 ? null : [met.x, met.y, 0];
   }
 
@@ -172,7 +184,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     const caster = new Raycaster();
     caster.setFromCamera(new Vector2((x / clientWidth) * 2 - 1, 1 - (y / clientHeight) * 2), this.place());
-    const reach = kReach * metresPerPixel(this.view, clientHeight);
+    const reach = REACH * metresPerPixel(this.view, clientHeight);
     caster.params.Points.threshold = reach;
     caster.params.Line.threshold = reach;
     return caster;
@@ -200,7 +212,7 @@ export class Stage {
     clearTimeout(this.resting);
     if (atRest) this.coverWithLast();
     else this.veil.classList.remove('scene-veil-fading');
-    const ratio = Math.min(kMostPixelRatio, devicePixelRatio) * (atRest ? 1 : this.resolution.share);
+    const ratio = Math.min(MOST_PIXEL_RATIO, devicePixelRatio) * (atRest ? 1 : this.resolution.share);
     const size = this.renderer.getSize(new Vector2());
     if (size.x !== clientWidth || size.y !== clientHeight || this.renderer.getPixelRatio() !== ratio) {
       this.renderer.setPixelRatio(ratio);
@@ -215,7 +227,7 @@ export class Stage {
     requestAnimationFrame(() => {
       if (this.resolution.tell(performance.now() - began)) this.canvas.dataset['resolution'] = this.resolution.share.toFixed(2);
     });
-    if (this.resolution.share < 1) this.resting = setTimeout(this.rest, kRestMs);
+    if (this.resolution.share < 1) this.resting = setTimeout(this.rest, REST_MS);
   };
 
   /** Fits the shadows to what is around the middle of the picture. */
@@ -260,7 +272,7 @@ export class Stage {
     if (camera instanceof PerspectiveCamera) {
       camera.aspect = aspect;
     } else {
-      camera.top = distance * Math.tan(kFieldOfView / 2);
+      camera.top = distance * Math.tan(FIELD_OF_VIEW / 2);
       camera.bottom = -camera.top;
       camera.right = camera.top * aspect;
       camera.left = -camera.right;

@@ -13,8 +13,12 @@ import type { GroundPose } from './camera_control.ts';
 
 export type SceneTool = 'goal' | 'estimate' | 'point' | 'inspect' | 'measure';
 
-export const kAims: Readonly<Record<SceneTool, 'pose' | 'point'>> = {
-  goal: 'pose', estimate: 'pose', point: 'point', inspect: 'point', measure: 'point',
+export const AIMS: Readonly<Record<SceneTool, 'pose' | 'point'>> = {
+  goal: 'pose',
+  estimate: 'pose',
+  point: 'point',
+  inspect: 'point',
+  measure: 'point',
 };
 
 /** The topic to which a tool publishes. */

@@ -5,7 +5,7 @@ import type { Session } from '../../contract/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { writeView } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
-import { kPlainLook } from '../model/display_look.ts';
+import { PLAIN_LOOK } from '../model/display_look.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
 import { TransformTree } from '../model/transform_tree.ts';
 import { followTransforms } from '../parts/follow_transforms.ts';
@@ -13,7 +13,7 @@ import { feed } from '../parts/message_feed.ts';
 import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import type { GroundPose } from './camera_control.ts';
-import { kOdometry, makeDisplay, updatesOf } from './kinds.ts';
+import { ODOMETRY, makeDisplay, updatesOf } from './kinds.ts';
 import type { DisplayContext } from './display.ts';
 import { openScene, shelfOf } from './open_scene.ts';
 import type { Picked } from './pick.ts';
@@ -39,9 +39,9 @@ export interface SceneUse {
 }
 
 export interface Scene {
-  readonly canvas: { current: HTMLCanvasElement | null };
+  readonly canvas: { current: HTMLCanvasElement | null; };
   /** Lies over it. */
-  readonly veil: { current: HTMLCanvasElement | null };
+  readonly veil: { current: HTMLCanvasElement | null; };
   readonly view: SceneView | null;
   readonly tree: TransformTree;
   /** Why nothing can be drawn; empty: it can. */
@@ -76,7 +76,11 @@ export function useScene(use: SceneUse): Scene {
     const element = canvas.current;
     if (element === null || veil.current === null) return undefined;
     const opened = openScene({
-      session, tree, veil: veil.current, canvas: element, view: latest.current.options.view,
+      session,
+      tree,
+      veil: veil.current,
+      canvas: element,
+      view: latest.current.options.view,
       onProblem: setProblem,
       onWords: tell,
       hand: ({ view: made }) => ({
@@ -132,7 +136,7 @@ export function useScene(use: SceneUse): Scene {
   const meshes = useMemo(() => view === null ? null : shelfOf(session, view), [session, view]);
 
   const { keep } = options;
-  const keyOfTopic = ({ name, type }: ShownTopic): string => `${type} ${name}${type === kOdometry ? ` ${keep}` : ''}`;
+  const keyOfTopic = ({ name, type }: ShownTopic): string => `${type} ${name}${type === ODOMETRY ? ` ${keep}` : ''}`;
   const names = shown.map(keyOfTopic).join('\n');
   useEffect(() => () => {
     for (const stop of followed.current.values()) stop();
@@ -150,23 +154,28 @@ export function useScene(use: SceneUse): Scene {
     for (const [key, { name, type }] of wanted) {
       if (followed.current.has(key)) continue;
       const context: DisplayContext = {
-        colors: view.displayColors, keep, meshes,
-        get look() { return latest.current.options.looks[name] ?? kPlainLook; },
+        colors: view.displayColors,
+        keep,
+        meshes,
+        get look() {
+          return latest.current.options.looks[name] ?? PLAIN_LOOK;
+        },
       };
       const display = makeDisplay(name, type, context);
       if (display === null) continue;
       view.add(name, display);
-      const follow = (topic: string): (() => void) => topic === '' ? () => undefined : feed(session, codec, topic, ({ decoded }) => {
-        if (decoded.kind === 'failed') {
-          unreadable.set(name, texts.topics.undecodable(decoded.reason));
-          tell();
-          return;
-        }
-        unreadable.delete(name);
-        if (topic === name) newest.current.set(name, decoded.value);
-        display.take(decoded.value);
-        view.messageTaken();
-      });
+      const follow = (topic: string): () => void =>
+        topic === '' ? () => undefined : feed(session, codec, topic, ({ decoded }) => {
+          if (decoded.kind === 'failed') {
+            unreadable.set(name, texts.topics.undecodable(decoded.reason));
+            tell();
+            return;
+          }
+          unreadable.delete(name);
+          if (topic === name) newest.current.set(name, decoded.value);
+          display.take(decoded.value);
+          view.messageTaken();
+        });
       const stops = [follow(name), follow(updatesOf(name, type))];
       followed.current.set(key, () => {
         for (const stop of stops) stop();

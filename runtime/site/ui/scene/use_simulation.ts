@@ -7,7 +7,7 @@ import type { Codec } from '../../decode/codec.ts';
 import { writeView } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import { member } from '../model/json.ts';
-import { kWorldFrame, modelOf, readPace, SimWorld } from '../model/sim_world.ts';
+import { WORLD_FRAME, modelOf, readPace, SimWorld } from '../model/sim_world.ts';
 import type { SimPace } from '../model/sim_world.ts';
 import type { SimulationOptions } from '../model/simulation_options.ts';
 import { readHeader, rotate } from '../model/transform.ts';
@@ -53,8 +53,8 @@ export interface Pressed {
 }
 
 export interface Simulated {
-  readonly canvas: { current: HTMLCanvasElement | null };
-  readonly veil: { current: HTMLCanvasElement | null };
+  readonly canvas: { current: HTMLCanvasElement | null; };
+  readonly veil: { current: HTMLCanvasElement | null; };
   readonly scene: OpenScene | null;
   readonly world: SimWorld;
   readonly pace: SimPace | null;
@@ -64,17 +64,17 @@ export interface Simulated {
   readonly problems: readonly string[];
 }
 
-export const kSceneTopic = '/_gz/scene';
-const kCollisionsTopic = '/_gz/collisions';
-const kContactsTopic = '/_gz/contacts';
-const kPosesTopic = '/_gz/poses';
-const kStatsTopic = '/_gz/stats';
-const kPausedTopic = '/_gz/paused';
+export const SCENE_TOPIC = '/_gz/scene';
+const COLLISIONS_TOPIC = '/_gz/collisions';
+const CONTACTS_TOPIC = '/_gz/contacts';
+const POSES_TOPIC = '/_gz/poses';
+const STATS_TOPIC = '/_gz/stats';
+const PAUSED_TOPIC = '/_gz/paused';
 /** The hand says again that it holds; the simulator lets go of what it has not heard of for a second. */
-const kHandMs = 200;
+const HAND_MS = 200;
 /** Lines of the grid stand this much above a floor at 0, in metres. */
-const kGridHeight = 0.01;
-const kRayColors = ['#e5484d', '#3e7bfa', '#30a46c', '#d08a1d'] as const;
+const GRID_HEIGHT = 0.01;
+const RAY_COLORS = ['#e5484d', '#3e7bfa', '#30a46c', '#d08a1d'] as const;
 
 export function useSimulation(use: SimulationUse): Simulated {
   const { session, codec, options, scans, selected } = use;
@@ -92,14 +92,18 @@ export function useSimulation(use: SimulationUse): Simulated {
   const pace = useRef<SimPace | null>(null);
   const box = useRef<SelectionBox | null>(null);
   const visuals = useRef<Markers | null>(null);
-  const hand = useRef<{ frame: string; local: Vector; target: Vector } | null>(null);
+  const hand = useRef<Hand | null>(null);
   const settled = useRef('');
 
   useEffect(() => {
     const element = canvas.current;
     if (element === null || veil.current === null) return undefined;
     const opened = openScene({
-      session, canvas: element, veil: veil.current, tree: world.tree, view: latest.current.options.view,
+      session,
+      canvas: element,
+      veil: veil.current,
+      tree: world.tree,
+      view: latest.current.options.view,
       onProblem: setFailed,
       onWords: tell,
       showsFrame: (name) => world.isInner(name),
@@ -120,36 +124,12 @@ export function useSimulation(use: SimulationUse): Simulated {
         setPose: () => undefined,
         setPoint: (x, y) => latest.current.onPress(pressedOf(made.view.pick(x, y))),
         leaveTool: () => latest.current.onLeaveTool(),
-        grab: (x, y, event) => (event.ctrlKey || latest.current.tool === 'drag' ? take(made, x, y) : null),
+        grab: (x, y, event) => (event.ctrlKey || latest.current.tool === 'drag' ? grab(made, world, latest.current.client, hand, x, y) : null),
       }),
     });
     if (opened === null) return undefined;
-    const take = (made: Pick<OpenScene, 'view' | 'stage'>, x: number, y: number): Grab | null => {
-      const pressed = pressedOf(made.view.pick(x, y));
-      const { client } = latest.current;
-      if (pressed === null || client === null || !world.moves(pressed.frame)) return null;
-      const { frame, local, place } = pressed;
-      hand.current = { frame, local, target: place };
-      client.hold(frame, local, place);
-      const beat = setInterval(() => client.hold(frame, local, hand.current?.target ?? place), kHandMs);
-      return {
-        move(toX, toY) {
-          const target = made.stage.besideAt(toX, toY, place);
-          if (target === null) return;
-          hand.current = { frame, local, target };
-          client.hold(frame, local, target);
-          made.stage.draw();
-        },
-        end() {
-          clearInterval(beat);
-          hand.current = null;
-          client.letGo(frame);
-          made.stage.draw();
-        },
-      };
-    };
-    opened.view.chooseFrame(kWorldFrame);
-    opened.stage.raiseGrid(kGridHeight);
+    opened.view.chooseFrame(WORLD_FRAME);
+    opened.stage.raiseGrid(GRID_HEIGHT);
     const around = new SelectionBox(opened.stage.colors.accent);
     box.current = around;
     opened.stage.scene.add(around.group);
@@ -185,29 +165,29 @@ export function useSimulation(use: SimulationUse): Simulated {
     const meshes = shelfOf(session, scene.view);
     const shapes = new Markers(meshes);
     visuals.current = shapes;
-    scene.view.add(kSceneTopic, shapes);
+    scene.view.add(SCENE_TOPIC, shapes);
     const follow = follower(session, ready, problems.current, tell);
     const stops = [
-      follow(kSceneTopic, (message) => {
+      follow(SCENE_TOPIC, (message) => {
         world.takeShapes(message);
         shapes.take(message);
         scene.view.messageTaken();
       }),
-      follow(kPosesTopic, (message) => {
+      follow(POSES_TOPIC, (message) => {
         const change = world.take(message);
         if (change !== 'same') scene.view.transformsMoved();
         if (change === 'models') tell();
       }),
-      follow(kStatsTopic, (message) => {
+      follow(STATS_TOPIC, (message) => {
         pace.current = readPace(message) ?? pace.current;
         tell();
       }),
-      follow(kPausedTopic, (message) => setPaused(member(message, 'data') === true)),
+      follow(PAUSED_TOPIC, (message) => setPaused(member(message, 'data') === true)),
     ];
     return () => {
       for (const stop of stops) stop();
       visuals.current = null;
-      scene.view.remove(kSceneTopic);
+      scene.view.remove(SCENE_TOPIC);
     };
   }, [session, scene, ready]);
 
@@ -224,14 +204,14 @@ export function useSimulation(use: SimulationUse): Simulated {
       scene.view.remove(topic);
     };
   };
-  useEffect(followMarkers(kCollisionsTopic, collisions), [session, scene, ready, collisions]);
-  useEffect(followMarkers(kContactsTopic, contacts), [session, scene, ready, contacts]);
+  useEffect(followMarkers(COLLISIONS_TOPIC, collisions), [session, scene, ready, collisions]);
+  useEffect(followMarkers(CONTACTS_TOPIC, contacts), [session, scene, ready, contacts]);
 
   const followed = rays ? scans.join('\n') : '';
   useEffect(() => {
     if (scene === null || ready === null || followed === '') return undefined;
     const stops = followed.split('\n').map((topic, index) => {
-      const display = new NewestDisplay(scanRays(kRayColors[index % kRayColors.length] ?? kRayColors[0]));
+      const display = new NewestDisplay(scanRays(RAY_COLORS[index % RAY_COLORS.length] ?? RAY_COLORS[0]));
       scene.view.add(topic, display);
       const stop = follower(session, ready, problems.current, tell)(topic, (message) => {
         const { frame: named } = readHeader(message);
@@ -255,7 +235,7 @@ export function useSimulation(use: SimulationUse): Simulated {
     };
   }, [session, scene, ready, followed]);
 
-  const said = [failed, ...problems.current.values(), scene?.view.problem(kSceneTopic) ?? ''];
+  const said = [failed, ...problems.current.values(), scene?.view.problem(SCENE_TOPIC) ?? ''];
   return { canvas, veil, scene, world, pace: pace.current, paused, problems: [...new Set(said.filter((one) => one !== ''))] };
 }
 
@@ -283,15 +263,54 @@ function follower(
   };
 }
 
+/** Where the visitor holds a link, and where the hand is in the world. */
+interface Hand {
+  readonly frame: string;
+  readonly local: Vector;
+  readonly target: Vector;
+}
+
+/** Takes the link below a place of the canvas, if it can move. */
+function grab(
+  made: Pick<OpenScene, 'view' | 'stage'>,
+  world: SimWorld,
+  client: SimClient | null,
+  hand: { current: Hand | null; },
+  x: number,
+  y: number,
+): Grab | null {
+  const pressed = pressedOf(made.view.pick(x, y));
+  if (pressed === null || client === null || !world.moves(pressed.frame)) return null;
+  const { frame, local, place } = pressed;
+  hand.current = { frame, local, target: place };
+  client.hold(frame, local, place);
+  const beat = setInterval(() => client.hold(frame, local, hand.current?.target ?? place), HAND_MS);
+  return {
+    move(toX, toY) {
+      const target = made.stage.besideAt(toX, toY, place);
+      if (target === null) return;
+      hand.current = { frame, local, target };
+      client.hold(frame, local, target);
+      made.stage.draw();
+    },
+    end() {
+      clearInterval(beat);
+      hand.current = null;
+      client.letGo(frame);
+      made.stage.draw();
+    },
+  };
+}
+
 /** null: it is not a part of the world. */
 function pressedOf(picked: Picked | null): Pressed | null {
   if (picked?.part == null) return null;
   const { topic, header, local } = picked.part;
-  return topic === kSceneTopic || topic === kCollisionsTopic ? { frame: header.frame, local, place: picked.place } : null;
+  return topic === SCENE_TOPIC || topic === COLLISIONS_TOPIC ? { frame: header.frame, local, place: picked.place } : null;
 }
 
 function placeIn(world: SimWorld, frame: string, local: Vector): Vector | null {
-  const found = world.tree.lookup(kWorldFrame, frame, NaN);
+  const found = world.tree.lookup(WORLD_FRAME, frame, NaN);
   if (found.kind !== 'found') return null;
   const { translation: [x, y, z], rotation } = found.transform;
   const [dx, dy, dz] = rotate(rotation, local);

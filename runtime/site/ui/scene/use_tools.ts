@@ -9,7 +9,7 @@ import { panelTexts } from '../texts_panels.ts';
 import { sceneTexts } from '../texts_scene.ts';
 import type { GroundPose } from './camera_control.ts';
 import type { Picked } from './pick.ts';
-import { estimateValue, kAims, outletOf, pointValue, poseValue, publishStamped } from './tools.ts';
+import { estimateValue, AIMS, outletOf, pointValue, poseValue, publishStamped } from './tools.ts';
 import type { SceneTool } from './tools.ts';
 
 export interface Tools {
@@ -25,14 +25,14 @@ export interface Tools {
   readonly onPick: (picked: Picked | null, frame: string) => void;
 }
 
-const kHints: Readonly<Record<SceneTool, string>> = {
+const HINTS: Readonly<Record<SceneTool, string>> = {
   goal: panelTexts.scene.goalHint,
   estimate: sceneTexts.tools.estimateHint,
   point: sceneTexts.tools.pointHint,
   inspect: sceneTexts.tools.inspectHint,
   measure: sceneTexts.tools.measureHint,
 };
-const kNoPlaces: readonly Vector[] = [];
+const NO_PLACES: readonly Vector[] = [];
 
 export function useTools(
   session: Session,
@@ -43,16 +43,16 @@ export function useTools(
 ): Tools {
   const [tool, choose] = useState<SceneTool | null>(null);
   const [said, setSaid] = useState('');
-  const [measured, setMeasured] = useState(kNoPlaces);
+  const [measured, setMeasured] = useState(NO_PLACES);
   const publisher = useRef<PagePublisher | null>(null);
   const outlet = outletOf(tool, options);
 
   useEffect(() => {
     if (tool === null) return undefined;
-    setSaid(kHints[tool]);
+    setSaid(HINTS[tool]);
     return () => {
       setSaid('');
-      setMeasured(kNoPlaces);
+      setMeasured(NO_PLACES);
     };
   }, [tool]);
   useEffect(() => {
@@ -103,7 +103,7 @@ export function useTools(
     const along: Vector = [place[0] - first[0], place[1] - first[1], place[2] - first[2]];
     say(sceneTexts.tools.measured(Math.hypot(...along).toFixed(3), ...shorts(along)));
   };
-  return { tool, aims: tool === null ? null : kAims[tool], choose, said, say, measured, onPose, onPick };
+  return { tool, aims: tool === null ? null : AIMS[tool], choose, said, say, measured, onPose, onPick };
 }
 
 function shorts([x, y, z]: Vector): readonly [string, string, string] {

@@ -1,7 +1,7 @@
 // The files that a terminal sees: a tree over their paths. Pure.
 
 import { fileName } from '../../contract/file_name.ts';
-import { kHome, kWorkspace, parentOf } from './paths.ts';
+import { HOME, WORKSPACE, parentOf } from './paths.ts';
 
 export interface ShellFile {
   /** Absolute. */
@@ -27,7 +27,7 @@ export class FileTree {
 
   /** A later file takes the place of an earlier one of its path. */
   constructor(files: readonly ShellFile[], folders: readonly string[]) {
-    for (const folder of [kHome, `${kWorkspace}/src`, ...folders]) this.addFolder(folder);
+    for (const folder of [HOME, `${WORKSPACE}/src`, ...folders]) this.addFolder(folder);
     for (const file of files) {
       // A name that is a folder already stays one.
       if (this.folders.has(file.path)) continue;

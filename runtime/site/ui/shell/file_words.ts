@@ -5,7 +5,7 @@ import type { FileTree, FolderEntry, ShellFile } from './file_tree.ts';
 import { mayWrite } from './own_files.ts';
 import type { OwnFiles } from './own_files.ts';
 import { fileName } from '../../contract/file_name.ts';
-import { kHome, parentOf, resolvePath } from './paths.ts';
+import { HOME, parentOf, resolvePath } from './paths.ts';
 
 export interface FileCall {
   readonly tree: FileTree;
@@ -23,7 +23,7 @@ export interface FileCall {
 type Word = (rest: readonly string[], call: FileCall) => Promise<number> | number;
 
 /** Flags, each letter alone, and the other words. */
-function split(rest: readonly string[]): { readonly flags: ReadonlySet<string>; readonly names: readonly string[] } {
+function split(rest: readonly string[]): { readonly flags: ReadonlySet<string>; readonly names: readonly string[]; } {
   const isFlag = (word: string): boolean => /^-[A-Za-z]+$/.test(word);
   return { flags: new Set(rest.filter(isFlag).flatMap((word) => [...word.slice(1)])), names: rest.filter((word) => !isFlag(word)) };
 }
@@ -119,9 +119,13 @@ const touch: Word = (rest, { tree, own, folder, warn }) => {
   for (const name of names) {
     const path = resolvePath(folder, name);
     if (tree.file(path) !== undefined || tree.isFolder(path)) continue;
-    const trouble = !tree.isFolder(parentOf(path)) ? shellTexts.cannotCreate('touch', name)
-      : !mayWrite(path) ? shellTexts.notAllowed('touch', name)
-      : own.write(path, '') ? '' : shellTexts.full('touch');
+    const trouble = !tree.isFolder(parentOf(path))
+      ? shellTexts.cannotCreate('touch', name)
+      : !mayWrite(path)
+      ? shellTexts.notAllowed('touch', name)
+      : own.write(path, '')
+      ? ''
+      : shellTexts.full('touch');
     if (trouble === '') continue;
     warn(trouble);
     code = 1;
@@ -174,14 +178,18 @@ const edit: Word = (rest, { tree, folder, out, warn, edit: open }) => {
 };
 
 export const fileWords: ReadonlyMap<string, Word> = new Map<string, Word>([
-  ['ls', ls], ['ll', (rest, call) => ls(['-l', ...rest], call)], ['mkdir', mkdir], ['touch', touch], ['rm', rm],
+  ['ls', ls],
+  ['ll', (rest, call) => ls(['-l', ...rest], call)],
+  ['mkdir', mkdir],
+  ['touch', touch],
+  ['rm', rm],
   ...['nano', 'code', 'vim', 'vi', 'gedit', 'emacs'].map((name) => [name, edit] as const),
 ]);
 
 /** Where `cd` leads; a text says why it leads nowhere. */
-export function changedFolder(rest: readonly string[], tree: FileTree, folder: string, before: string): { readonly folder: string } | string {
+export function changedFolder(rest: readonly string[], tree: FileTree, folder: string, before: string): { readonly folder: string; } | string {
   if (rest.length > 1) return shellTexts.tooMany('cd');
-  const [name = kHome] = rest;
+  const [name = HOME] = rest;
   const path = name === '-' ? before : resolvePath(folder, name);
   if (tree.isFolder(path)) return { folder: path };
   return tree.file(path) === undefined ? shellTexts.noSuch('cd', name) : shellTexts.notFolder('cd', name);

@@ -20,7 +20,7 @@ export function readGrep(rest: readonly string[]): GrepCall | string {
   const plain: string[] = [];
   for (const [i, word] of rest.entries()) {
     if (rest[i - 1] === '-e') patterns.push(word);
-    else if (/^-[ivEFwencrRhH]+$/.test(word)) for (const flag of word.slice(1)) flags.add(flag);
+    else if (/^-[ivEFwencrRhH]+$/.test(word)) { for (const flag of word.slice(1)) flags.add(flag); }
     else if (word === '--line-buffered' || word.startsWith('--color')) continue;
     else if (word.startsWith('-') && word.length > 1) return words.flag(word);
     else plain.push(word);
@@ -32,7 +32,11 @@ export function readGrep(rest: readonly string[]): GrepCall | string {
     const wanted = new RegExp(flags.has('w') ? `\\b(?:${source})\\b` : source, flags.has('i') ? 'i' : '');
     return {
       passes: (line) => wanted.test(line) !== flags.has('v'),
-      files: plain, numbers: flags.has('n'), counts: flags.has('c'), recursive: flags.has('r') || flags.has('R'), bare: flags.has('h'),
+      files: plain,
+      numbers: flags.has('n'),
+      counts: flags.has('c'),
+      recursive: flags.has('r') || flags.has('R'),
+      bare: flags.has('h'),
     };
   } catch {
     return words.expression(pattern);
@@ -41,6 +45,6 @@ export function readGrep(rest: readonly string[]): GrepCall | string {
 
 /** In a basic expression + ? | ( ) { } are text, and special behind a backslash. */
 function fromBasic(pattern: string): string {
-  return pattern.replace(/\\(.)|[+?|(){}]/gs, (all, escaped: string | undefined) =>
-    escaped === undefined ? `\\${all}` : '+?|(){}'.includes(escaped) ? escaped : all);
+  return pattern.replace(/\\(.)|[+?|(){}]/gs,
+    (all, escaped: string | undefined) => escaped === undefined ? `\\${all}` : '+?|(){}'.includes(escaped) ? escaped : all);
 }

@@ -1,14 +1,14 @@
 // Files and folders that the terminals of a page have written, for as long as the page is open.
 
 import type { ShellFile } from './file_tree.ts';
-import { kHome } from './paths.ts';
+import { HOME } from './paths.ts';
 
 /** The longest file, in characters. */
-export const kMostTextBytes = 1 << 20;
+export const MOST_TEXT_BYTES = 1 << 20;
 /** Files of all terminals together; as many folders. */
-const kMostFiles = 2000;
+const MOST_FILES = 2000;
 /** All files together, in characters. */
-const kMostHeld = 32 << 20;
+const MOST_HELD = 32 << 20;
 
 export class OwnFiles {
   private readonly texts = new Map<string, string>();
@@ -21,7 +21,10 @@ export class OwnFiles {
 
   get files(): readonly ShellFile[] {
     return [...this.texts].map(([path, text]) => ({
-      path, origin: 'own', size: () => Promise.resolve(new TextEncoder().encode(text).length), text: () => Promise.resolve(text),
+      path,
+      origin: 'own',
+      size: () => Promise.resolve(new TextEncoder().encode(text).length),
+      text: () => Promise.resolve(text),
     }));
   }
 
@@ -32,14 +35,14 @@ export class OwnFiles {
   /** False: there is not enough room. */
   write(path: string, text: string): boolean {
     const held = this.held + text.length - (this.texts.get(path)?.length ?? 0);
-    if (text.length > kMostTextBytes || held > kMostHeld || (!this.texts.has(path) && this.texts.size >= kMostFiles)) return false;
+    if (text.length > MOST_TEXT_BYTES || held > MOST_HELD || (!this.texts.has(path) && this.texts.size >= MOST_FILES)) return false;
     this.texts.set(path, text);
     this.held = held;
     return true;
   }
 
   makeFolder(path: string): boolean {
-    if (this.made.size >= kMostFiles) return false;
+    if (this.made.size >= MOST_FILES) return false;
     this.made.add(path);
     return true;
   }
@@ -58,5 +61,5 @@ export class OwnFiles {
 
 /** Only there a user may write. */
 export function mayWrite(path: string): boolean {
-  return path.startsWith(`${kHome}/`);
+  return path.startsWith(`${HOME}/`);
 }

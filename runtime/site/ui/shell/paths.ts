@@ -1,12 +1,12 @@
 // Paths as a shell writes them. Pure.
 
-export const kHome = '/home/user';
+export const HOME = '/home/user';
 /** Where the workspace of the site stands, as in every lab sheet. */
-export const kWorkspace = `${kHome}/ros2_ws`;
+export const WORKSPACE = `${HOME}/ros2_ws`;
 
 /** Absolute, without `.`, `..` and doubled slashes. */
 export function resolvePath(folder: string, name: string): string {
-  const whole = name === '~' || name.startsWith('~/') ? kHome + name.slice(1) : name.startsWith('/') ? name : `${folder}/${name}`;
+  const whole = name === '~' || name.startsWith('~/') ? HOME + name.slice(1) : name.startsWith('/') ? name : `${folder}/${name}`;
   const parts: string[] = [];
   for (const part of whole.split('/')) {
     if (part === '..') parts.pop();
@@ -17,7 +17,7 @@ export function resolvePath(folder: string, name: string): string {
 
 /** With `~` for the home folder. */
 export function shortPath(path: string): string {
-  return path === kHome || path.startsWith(`${kHome}/`) ? `~${path.slice(kHome.length)}` : path;
+  return path === HOME || path.startsWith(`${HOME}/`) ? `~${path.slice(HOME.length)}` : path;
 }
 
 export function parentOf(path: string): string {
@@ -27,5 +27,5 @@ export function parentOf(path: string): string {
 
 /** Where a file of the workspace stands. `file`: as the site names it. */
 export function workspacePath(file: string): string {
-  return resolvePath(file.startsWith('src/') ? kWorkspace : `${kWorkspace}/src`, file.replace(/^\/+/, ''));
+  return resolvePath(file.startsWith('src/') ? WORKSPACE : `${WORKSPACE}/src`, file.replace(/^\/+/, ''));
 }

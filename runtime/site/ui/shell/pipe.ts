@@ -14,7 +14,7 @@ export interface Pipe {
 
 /** A text says what cannot be. `stop`: nothing more is needed. */
 export function openPipe(filters: ShellStep['filters'], out: (text: string) => void, stop: () => void): Pipe | string {
-  const parts: { readonly tool: TextTool; readonly sink: LineSink }[] = [];
+  const parts: { readonly tool: TextTool; readonly sink: LineSink; }[] = [];
   let next = out;
   for (const words of filters.toReversed()) {
     const [program = ''] = words;

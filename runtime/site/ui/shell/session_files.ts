@@ -6,8 +6,8 @@ import type { Session } from '../../contract/session.ts';
 import { shellTexts } from '../texts_shell.ts';
 import { FileTree } from './file_tree.ts';
 import type { ShellFile } from './file_tree.ts';
-import { kMostTextBytes, OwnFiles } from './own_files.ts';
-import { kHome, resolvePath, workspacePath } from './paths.ts';
+import { MOST_TEXT_BYTES, OwnFiles } from './own_files.ts';
+import { HOME, resolvePath, workspacePath } from './paths.ts';
 
 const own = new WeakMap<Session, OwnFiles>();
 
@@ -29,12 +29,15 @@ function sourceFiles({ sources }: Session): readonly ShellFile[] {
 
 function siteFiles({ site, prefix }: Session): readonly ShellFile[] {
   return site.files.filter(({ path }) => path.startsWith('share/')).map(({ path, size }) => ({
-    path: `${prefix}/${path}`, origin: 'site', size: () => Promise.resolve(size), text: () => siteText(path, size),
+    path: `${prefix}/${path}`,
+    origin: 'site',
+    size: () => Promise.resolve(size),
+    text: () => siteText(path, size),
   }));
 }
 
 async function siteText(path: string, size: number): Promise<string> {
-  if (size > kMostTextBytes) throw new Error(shellTexts.tooLarge(kMostTextBytes));
+  if (size > MOST_TEXT_BYTES) throw new Error(shellTexts.tooLarge(MOST_TEXT_BYTES));
   const response = await fetchOfSite(path);
   if (!response.ok) throw new Error(`HTTP ${response.status}`);
   return await response.text();
@@ -45,15 +48,17 @@ async function nodeFiles(session: Session): Promise<readonly ShellFile[]> {
   const { bagDesk } = await import('../parts/bag_desk.ts');
   const desk = bagDesk(session);
   const fileOf = (path: string, size: number, content: () => Promise<Blob>): ShellFile => ({
-    path, origin: 'node', size: () => Promise.resolve(size),
+    path,
+    origin: 'node',
+    size: () => Promise.resolve(size),
     text: async () => {
-      if (size > kMostTextBytes) throw new Error(shellTexts.tooLarge(kMostTextBytes));
+      if (size > MOST_TEXT_BYTES) throw new Error(shellTexts.tooLarge(MOST_TEXT_BYTES));
       return await (await content()).text();
     },
   });
   return [
-    ...desk.shelf.filter(({ origin }) => origin !== 'site').map(({ name, size, content }) => fileOf(resolvePath(kHome, name), size, content)),
-    ...desk.files.map(({ path, content }) => fileOf(resolvePath(kHome, path), content.size, () => Promise.resolve(content))),
+    ...desk.shelf.filter(({ origin }) => origin !== 'site').map(({ name, size, content }) => fileOf(resolvePath(HOME, name), size, content)),
+    ...desk.files.map(({ path, content }) => fileOf(resolvePath(HOME, path), content.size, () => Promise.resolve(content))),
   ];
 }
 

@@ -17,8 +17,8 @@ import { texts } from '../texts.ts';
 import { shellTexts } from '../texts_shell.ts';
 import { changedFolder, completeName, fileWords } from './file_words.ts';
 import { FileTree } from './file_tree.ts';
-import { kMostTextBytes, mayWrite } from './own_files.ts';
-import { kHome, parentOf, resolvePath, shortPath } from './paths.ts';
+import { MOST_TEXT_BYTES, mayWrite } from './own_files.ts';
+import { HOME, parentOf, resolvePath, shortPath } from './paths.ts';
 import { openPipe } from './pipe.ts';
 import { ownFiles, readText, sessionTree } from './session_files.ts';
 import { textTool, textToolNames } from './text_tools.ts';
@@ -27,11 +27,11 @@ import { readTfEcho, runTfEcho } from './tf_echo.ts';
 import { assignment, isName, Variables } from './variables.ts';
 
 /** Exit codes of a shell. */
-const kWrongLine = 2;
-const kNotFound = 127;
-const kInterrupted = 130;
+const WRONG_LINE = 2;
+const NOT_FOUND = 127;
+const INTERRUPTED = 130;
 
-const kOwnWords = ['cd', 'clear', 'echo', 'export', 'help', 'history', 'printenv', 'pwd', 'ros2', 'unset'];
+const OWN_WORDS = ['cd', 'clear', 'echo', 'export', 'help', 'history', 'printenv', 'pwd', 'ros2', 'unset'];
 
 export interface ShellPort {
   readonly session: Session;
@@ -55,8 +55,8 @@ interface ProgramPorts {
 
 export class Shell {
   private readonly port: ShellPort;
-  private folder = kHome;
-  private before = kHome;
+  private folder = HOME;
+  private before = HOME;
   private code = 0;
   private readonly variables: Variables;
   private noted = false;
@@ -99,12 +99,16 @@ export class Shell {
 
   private async step(step: ShellStep, abort: AbortController): Promise<number> {
     const { words, filters, target, background } = step;
-    const wrong = background === true ? shellTexts.background
-      : words.length === 0 ? shellTexts.nothing
-      : filters.some((filter) => filter.length === 0) ? shellTexts.nothingPiped : '';
+    const wrong = background === true
+      ? shellTexts.background
+      : words.length === 0
+      ? shellTexts.nothing
+      : filters.some((filter) => filter.length === 0)
+      ? shellTexts.nothingPiped
+      : '';
     if (wrong !== '') {
       this.port.warn(wrong);
-      return kWrongLine;
+      return WRONG_LINE;
     }
     // Ends what runs, when Ctrl-C comes or nobody reads any more.
     const own = new AbortController();
@@ -116,30 +120,35 @@ export class Shell {
       const pipe = openPipe(filters, file?.take ?? this.port.print, end);
       if (typeof pipe === 'string') {
         this.port.warn(pipe);
-        return kWrongLine;
+        return WRONG_LINE;
       }
       const goesOn = filters.length > 0 || target !== undefined;
       const code = await this.program(words, { out: pipe.out, signal: own.signal, isSeen: !goesOn });
       const last = filters.length === 0 || abort.signal.aborted ? code : pipe.end();
       // Also what came before Ctrl-C.
       file?.write();
-      return abort.signal.aborted ? kInterrupted : last;
+      return abort.signal.aborted ? INTERRUPTED : last;
     } finally {
       abort.signal.removeEventListener('abort', end);
     }
   }
 
   /** Where the output is kept until it is written; null: nowhere, as was said. */
-  private async target(name: string, append: boolean): Promise<{ readonly take: (text: string) => void; readonly write: () => void } | null> {
+  private async target(name: string, append: boolean): Promise<{ readonly take: (text: string) => void; readonly write: () => void; } | null> {
     const path = resolvePath(this.folder, name);
     if (path === '/dev/null') return { take: () => undefined, write: () => undefined };
     const { session, warn } = this.port;
     const own = ownFiles(session);
     const tree = await this.look();
-    const trouble = tree.isFolder(path) ? shellTexts.isFolder('bash', name)
-      : tree.file(path)?.source !== undefined ? shellTexts.isSource(name)
-      : !mayWrite(path) ? shellTexts.notAllowed('bash', name)
-      : !tree.isFolder(parentOf(path)) ? shellTexts.noSuch('bash', name) : '';
+    const trouble = tree.isFolder(path)
+      ? shellTexts.isFolder('bash', name)
+      : tree.file(path)?.source !== undefined
+      ? shellTexts.isSource(name)
+      : !mayWrite(path)
+      ? shellTexts.notAllowed('bash', name)
+      : !tree.isFolder(parentOf(path))
+      ? shellTexts.noSuch('bash', name)
+      : '';
     if (trouble !== '') {
       warn(trouble);
       return null;
@@ -148,12 +157,12 @@ export class Shell {
     let full = false;
     return {
       take: (line) => {
-        full ||= text.length + line.length >= kMostTextBytes;
+        full ||= text.length + line.length >= MOST_TEXT_BYTES;
         if (!full) text += `${line}\n`;
       },
       write: () => {
         if (!own.write(path, text)) warn(shellTexts.full('bash'));
-        else if (full) warn(shellTexts.tooLong(kMostTextBytes));
+        else if (full) warn(shellTexts.tooLong(MOST_TEXT_BYTES));
       },
     };
   }
@@ -169,7 +178,7 @@ export class Shell {
     const tool = textTool(plain, { out, stop: () => undefined });
     if (typeof tool === 'string') {
       warn(tool);
-      return kWrongLine;
+      return WRONG_LINE;
     }
     if (tool !== undefined) return await this.readFiles(program, tool);
     const word = fileWords.get(program);
@@ -198,7 +207,7 @@ export class Shell {
     }
     if (program !== 'ros2') {
       warn(notFound(program));
-      return kNotFound;
+      return NOT_FOUND;
     }
     const carried = programsOf(session.site).some((one) => one.package === 'tf2_ros' && one.executable === 'tf2_echo');
     const frames = readTfEcho(words, carried);
@@ -209,7 +218,13 @@ export class Shell {
     if (frames !== undefined) return await runTfEcho(session, frames, out, signal);
     if (words[1] === 'pkg' && words[2] === 'create') await this.look();
     const code = await runCommand(session, rest, {
-      signal, bags: bagsOf(session), newFiles: this.newFiles(), readText: (name) => readText(session, this.folder, name), takeInput, print: out, warn,
+      signal,
+      bags: bagsOf(session),
+      newFiles: this.newFiles(),
+      readText: (name) => readText(session, this.folder, name),
+      takeInput,
+      print: out,
+      warn,
     });
     takeInput(undefined);
     return code;
@@ -316,10 +331,15 @@ export class Shell {
     for (const name of names) {
       const path = resolvePath(this.folder, name);
       const text = await tree.file(path)?.text().catch((error: unknown) => new Error(problemOf(error).what));
-      const trouble = tree.isFolder(path) ? shellTexts.isFolder(program, name)
-        : text === undefined ? shellTexts.noSuch(program, name)
-        : text instanceof Error ? shellTexts.unreadable(program, name, text.message)
-        : text.includes('\0') ? shellTexts.unreadable(program, name, shellTexts.noText) : '';
+      const trouble = tree.isFolder(path)
+        ? shellTexts.isFolder(program, name)
+        : text === undefined
+        ? shellTexts.noSuch(program, name)
+        : text instanceof Error
+        ? shellTexts.unreadable(program, name, text.message)
+        : text.includes('\0')
+        ? shellTexts.unreadable(program, name, shellTexts.noText)
+        : '';
       if (trouble !== '' || typeof text !== 'string') {
         // A search passes over what has no lines.
         if (!tool.recursive) warn(trouble);
@@ -345,7 +365,7 @@ export class Shell {
     }
     const start = /\S*$/.exec(part)?.index ?? 0;
     const word = part.slice(start);
-    const programs = [...kOwnWords, ...textToolNames, ...fileWords.keys()].filter((name) => name.startsWith(word)).sort();
+    const programs = [...OWN_WORDS, ...textToolNames, ...fileWords.keys()].filter((name) => name.startsWith(word)).sort();
     return { word, start: start + begin, choices: start === 0 ? programs : completeName(this.tree, this.folder, word) };
   }
 }

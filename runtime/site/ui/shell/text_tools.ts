@@ -31,7 +31,11 @@ type Maker = (rest: readonly string[], ports: ToolPorts) => TextTool | string;
 const nothing = (): void => undefined;
 
 /** Splits flags from names; `-n 5`, `-n5`, `-5` and `--lines=5` count lines. A text says what is wrong. */
-function readWords(program: string, rest: readonly string[], flags: string): { readonly flags: ReadonlySet<string>; readonly files: readonly string[]; readonly count: string } | string {
+function readWords(program: string, rest: readonly string[], flags: string): {
+  readonly flags: ReadonlySet<string>;
+  readonly files: readonly string[];
+  readonly count: string;
+} | string {
   const given = new Set<string>();
   const files: string[] = [];
   let count = '';
@@ -40,7 +44,7 @@ function readWords(program: string, rest: readonly string[], flags: string): { r
     const counted = /^(?:-n|--lines=)(\+?\d+)$/.exec(word)?.[1] ?? /^-(\d+)$/.exec(word)?.[1];
     if (flags.includes('#') && counted !== undefined) count = counted;
     else if (flags.includes('#') && word === '-n') {
-      const next = rest[(i += 1)] ?? '';
+      const next = rest[i += 1] ?? '';
       if (!/^\+?\d+$/.test(next)) return shellTexts.badCount(program, next);
       count = next;
     } else if (/^-[A-Za-z]+$/.test(word)) {
@@ -65,16 +69,16 @@ const cat: Maker = (rest, { out }) => {
   const read = readWords('cat', rest, 'n');
   if (typeof read === 'string') return read;
   let number = 0;
-  const show = (text: string): void => out(read.flags.has('n') ? `${String((number += 1)).padStart(6)}\t${text}` : text);
+  const show = (text: string): void => out(read.flags.has('n') ? `${String(number += 1).padStart(6)}\t${text}` : text);
   return { files: read.files, recursive: false, begin: () => ({ line: show, end: nothing }), end: () => 0 };
 };
 
-const kUsualCount = '10';
+const USUAL_COUNT = '10';
 
 const head: Maker = (rest, { out, stop }) => {
   const read = readWords('head', rest, '#q');
   if (typeof read === 'string') return read;
-  const most = Number((read.count === '' ? kUsualCount : read.count).replace('+', ''));
+  const most = Number((read.count === '' ? USUAL_COUNT : read.count).replace('+', ''));
   let first = true;
   const begin = (name: string | undefined, many: boolean): LineSink => {
     heading(name, many, first, out);
@@ -96,7 +100,7 @@ const head: Maker = (rest, { out, stop }) => {
 const tail: Maker = (rest, { out }) => {
   const read = readWords('tail', rest, '#q');
   if (typeof read === 'string') return read;
-  const count = read.count === '' ? kUsualCount : read.count;
+  const count = read.count === '' ? USUAL_COUNT : read.count;
   const from = count.startsWith('+') ? Number(count.slice(1)) : undefined;
   const most = Number(count);
   let first = true;
@@ -147,7 +151,9 @@ const wc: Maker = (rest, { out }) => {
     };
   };
   return {
-    files: read.files, recursive: false, begin,
+    files: read.files,
+    recursive: false,
+    begin,
     end: (many) => {
       if (many) row(sums, 'total');
       return 0;
@@ -161,7 +167,9 @@ const sort: Maker = (rest, { out }) => {
   const all: string[] = [];
   const number = (text: string): number => Number(/^\s*-?\d*\.?\d+/.exec(text)?.[0] ?? 0);
   return {
-    files: read.files, recursive: false, begin: () => ({ line: (text) => void all.push(text), end: nothing }),
+    files: read.files,
+    recursive: false,
+    begin: () => ({ line: (text) => void all.push(text), end: nothing }),
     end: () => {
       const byText = (a: string, b: string): number => (a < b ? -1 : a > b ? 1 : 0);
       all.sort((a, b) => (read.flags.has('n') ? number(a) - number(b) : 0) || byText(a, b));
@@ -189,7 +197,9 @@ const uniq: Maker = (rest, { out }) => {
     [last, count] = [text, 1];
   };
   return {
-    files: read.files, recursive: false, begin: () => ({ line, end: nothing }),
+    files: read.files,
+    recursive: false,
+    begin: () => ({ line, end: nothing }),
     end: () => {
       tell();
       return 0;
@@ -221,13 +231,19 @@ const grep: Maker = (rest, { out }) => {
   return { files: call.files, recursive: call.recursive, begin, end: () => (met > 0 ? 0 : 1) };
 };
 
-const kTools: ReadonlyMap<string, Maker> = new Map([
-  ['cat', cat], ['head', head], ['tail', tail], ['wc', wc], ['sort', sort], ['uniq', uniq], ['grep', grep],
+const TOOLS: ReadonlyMap<string, Maker> = new Map([
+  ['cat', cat],
+  ['head', head],
+  ['tail', tail],
+  ['wc', wc],
+  ['sort', sort],
+  ['uniq', uniq],
+  ['grep', grep],
 ]);
 
-export const textToolNames: readonly string[] = [...kTools.keys()];
+export const textToolNames: readonly string[] = [...TOOLS.keys()];
 
 /** undefined: the tool does not exist. A text: what is wrong with its arguments. */
 export function textTool([program = '', ...rest]: readonly string[], ports: ToolPorts): TextTool | string | undefined {
-  return kTools.get(program)?.(rest, ports);
+  return TOOLS.get(program)?.(rest, ports);
 }

@@ -9,7 +9,7 @@ import { followTransforms } from '../parts/follow_transforms.ts';
 import { codecOf } from '../parts/message_feed.ts';
 import { shellTexts } from '../texts_shell.ts';
 
-const kUsualRateHz = 1;
+const USUAL_RATE_HZ = 1;
 
 export interface EchoedFrames {
   readonly source: string;
@@ -19,7 +19,7 @@ export interface EchoedFrames {
 
 /** undefined: it is another command. A text says what is wrong. `carried`: the site has the program itself. */
 export function readTfEcho(words: readonly string[], carried: boolean): EchoedFrames | string | undefined {
-  const [ros2, run, from, program, source, target, rate = String(kUsualRateHz)] = words;
+  const [ros2, run, from, program, source, target, rate = String(USUAL_RATE_HZ)] = words;
   if (carried || ros2 !== 'ros2' || run !== 'run' || from !== 'tf2_ros' || program !== 'tf2_echo') return undefined;
   const rateHz = Number(rate);
   if (source === undefined || target === undefined || !(rateHz > 0)) return shellTexts.tf.usage;
@@ -46,7 +46,7 @@ export function transformLines({ translation, rotation }: Transform, stamp: numb
   ];
 }
 
-function whyNot(found: Exclude<Lookup, { kind: 'found' }>, { source, target }: EchoedFrames): string {
+function whyNot(found: Exclude<Lookup, { kind: 'found'; }>, { source, target }: EchoedFrames): string {
   switch (found.kind) {
     case 'unknown':
       return shellTexts.tf.unknown(found.frame, found.frame === source ? 'target_frame' : 'source_frame');

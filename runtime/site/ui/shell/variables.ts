@@ -1,7 +1,7 @@
 // The variables of one terminal.
 
 import type { Session } from '../../contract/session.ts';
-import { kHome } from './paths.ts';
+import { HOME } from './paths.ts';
 
 export function isName(text: string): boolean {
   return /^[A-Za-z_]\w*$/.test(text);
@@ -18,8 +18,15 @@ export class Variables {
   /** They begin as a node's do. */
   constructor({ site, prefix }: Session) {
     this.values = new Map([
-      ['AMENT_PREFIX_PATH', prefix], ['HOME', kHome], ['OLDPWD', kHome], ['PWD', kHome], ['ROS_DISTRO', site.distro],
-      ['ROS_PYTHON_VERSION', '3'], ['ROS_VERSION', '2'], ['SHELL', '/bin/bash'], ['USER', 'user'],
+      ['AMENT_PREFIX_PATH', prefix],
+      ['HOME', HOME],
+      ['OLDPWD', HOME],
+      ['PWD', HOME],
+      ['ROS_DISTRO', site.distro],
+      ['ROS_PYTHON_VERSION', '3'],
+      ['ROS_VERSION', '2'],
+      ['SHELL', '/bin/bash'],
+      ['USER', 'user'],
     ]);
   }
 
@@ -48,7 +55,7 @@ export class Variables {
 
   /** All with their names, or the values of some; the exit code. */
   print(names: readonly string[], out: (text: string) => void): number {
-    if (names.length === 0) for (const [name, value] of [...this.values].sort(([a], [b]) => (a < b ? -1 : 1))) out(`${name}=${value}`);
+    if (names.length === 0) { for (const [name, value] of [...this.values].sort(([a], [b]) => (a < b ? -1 : 1))) out(`${name}=${value}`); }
     const known = names.filter((name) => this.values.has(name));
     for (const name of known) out(this.value(name));
     return known.length === names.length ? 0 : 1;

@@ -70,6 +70,7 @@ class Sources {
                                        : tree.locked.git + "\n" + tree.locked.commit + "\n");
       for (const fs::path& file : license_files(tree.folder))
         add_at(place / file.lexically_relative(tree.folder), file, tree.folder);
+      if (!tree.locked.model.empty()) add_at(place, tree.folder, tree.folder);
       for (const LocalPackage& package : workspace_.built.sources) {
         if (package.base != tree.folder) continue;
         add_at((place / package.directory.lexically_relative(tree.folder)).lexically_normal(),

@@ -7,6 +7,7 @@
 #include "bundler/build/compiler_parts.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
+#include "bundler/fuel_models.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/languages/language.hpp"
 #include "bundler/notebook_files.hpp"
@@ -377,6 +378,10 @@ Outcome<Question> ask(const PackRequest& request, PackNotes& notes,
   const KnownNames& known = offers->known;
   if (auto added = add_released_packages(manifest, sources_request, channels.roots, *limits,
                                          known.names, packages, sources, cancellation, progress);
+      !added)
+    return std::move(added).errors();
+  if (auto added = add_fuel_models(manifest, sources_request, channels.roots, *limits, packages,
+                                   sources, notes.warnings, cancellation, progress);
       !added)
     return std::move(added).errors();
   if (!compiler && needs_compiler(packages)) return std::move(compiler).errors();

@@ -2,8 +2,11 @@
 // ARCHITECTURE.md says.
 #include "bundler/pipeline.hpp"
 
+#include <algorithm>
+
 #include "bundler/carried_sources.hpp"
 #include "bundler/emit/site_output.hpp"
+#include "bundler/fuel_models.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/notebook_files.hpp"
@@ -17,11 +20,22 @@
 #include "bundler/site_budget.hpp"
 #include "bundler/site_components.hpp"
 #include "bundler/workspace/installed_tree.hpp"
+#include "bundler/workspace/launch_packages.hpp"
 #include "bundler/workspace_sources.hpp"
 #include "workspace_schema/base/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace {
+
+/// Models of Gazebo Fuel, in a site that has a simulator.
+Outcome<Done> add_models(const BuiltWorkspace& workspace, PlanInput& input) {
+  const auto& installed = workspace.built.installed;
+  if (std::none_of(installed.begin(), installed.end(),
+                   [](const InstalledPackage& one) { return is_simulator(one.name); }))
+    return Done{};
+  append_models(workspace.supplies.source_trees, input.components);
+  return collect_fuel_models(workspace.supplies.source_trees, input.shared);
+}
 
 /// Step 8: read what the plan is made of.
 Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspace,
@@ -68,6 +82,7 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
     if (!left_out) return left_out.errors();
     for (const std::string& one : *left_out) notes.remarks.push_back("skipped " + one);
   }
+  if (auto added = add_models(workspace, input); !added) return std::move(added).errors();
   for (const BuiltPackage& package : workspace.built.packages)
     input.packages.push_back(package.name);
   if (auto added = add_python(request, workspace, launched.by_default, input, notes, cancellation);

@@ -179,4 +179,18 @@ std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& rec
   return components;
 }
 
+void append_models(const std::vector<SourceTree>& trees, std::vector<SiteComponent>& components) {
+  for (const SourceTree& tree : trees) {
+    if (tree.locked.model.empty()) continue;
+    components.push_back({.kind = ComponentKind::kGeneric,
+                          .name = tree.locked.model,
+                          .version = {},
+                          .licenses = {},
+                          .sha256 = tree.locked.sha256,
+                          .address = tree.locked.archive,
+                          .purl = {},
+                          .texts = license_texts(tree.folder, false)});
+  }
+}
+
 }  // namespace ros2wasm

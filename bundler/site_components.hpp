@@ -7,6 +7,7 @@
 
 #include "bundler/site/site_component.hpp"
 #include "bundler/store/library_files.hpp"
+#include "bundler/store/source_trees.hpp"
 #include "bundler/store/store.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/discovery.hpp"
@@ -36,5 +37,8 @@ namespace ros2wasm {
 /// with "/".
 [[nodiscard]] SiteComponent library_component(const LibraryFiles& library,
                                               const std::string& index);
+
+/// Adds the models of Gazebo Fuel among the trees.
+void append_models(const std::vector<SourceTree>& trees, std::vector<SiteComponent>& components);
 
 }  // namespace ros2wasm

@@ -23,6 +23,7 @@
 #include "bundler/store/cache_place.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/fuel_needs.hpp"
 #include "bundler/workspace/library_request.hpp"
 #include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/page_notebook.hpp"
@@ -253,6 +254,11 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   append(errors, check_launch_file(request, report, folder, cancellation));
   append(errors, check_python(request, report, folder, cancellation));
   append(report.warnings, check_worlds(report.packages, folder, request.manifest.parent_path()));
+  if (!report.manifest.fetches_fuel) {
+    const fs::path shown = request.manifest.parent_path();
+    for (const FuelNeed& need : fuel_needs(report.packages, folder, shown))
+      report.warnings.push_back(missing_fuel_model(need));
+  }
 
   // A program without its channel says so when it packs; the manifest is not to blame.
   bool names_are_known = packages && order && channels && has_sources && embedded_only(*channels);

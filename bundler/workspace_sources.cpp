@@ -13,6 +13,10 @@ namespace {
 
 std::string name_of(const LockedSource& source) {
   if (!source.package.empty()) return source.package;
+  if (!source.model.empty()) {
+    const std::size_t name = source.model.find('/') + 1;
+    return source.model.substr(name, source.model.find('/', name) - name);
+  }
   return source_name(source.git.empty() ? source.archive : source.git);
 }
 

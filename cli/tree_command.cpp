@@ -64,10 +64,11 @@ void reach(const LockGraph& graph, std::size_t i, std::vector<bool>& reached) {
   for (const LockEdge& edge : graph.needs(i)) reach(graph, edge.package, reached);
 }
 
-/// The packages that are built here, below the source that they come from.
+/// The packages that are built here, below the source that they come from, and models.
 void print_sources(Context& context, const Lock& lock) {
   for (const LockedSource& source : lock.sources) {
-    context.console.result("built from " + title_of(source));
+    context.console.result((source.model.empty() ? "built from " : source.model + " from ") +
+                           title_of(source));
     for (std::size_t k = 0; k < source.packages.size(); ++k)
       context.console.result((k + 1 == source.packages.size() ? "`-- " : "|-- ") +
                              source.packages[k]);

@@ -38,6 +38,7 @@ void write_source(JsonWriter& json, const LockedSource& source) {
   json.begin_object();
   if (source.git.empty()) {
     json.field("archive", source.archive).field("sha256", source.sha256);
+    if (!source.model.empty()) json.field("model", source.model);
   } else {
     json.field("git", source.git).field("revision", source.revision);
     json.field("commit", source.commit);

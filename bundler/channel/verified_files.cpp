@@ -20,18 +20,18 @@ Diagnostic wrong_file(const WantedFile& wanted, std::string why) {
                     .why = {std::move(why), "it is at " + wanted.url}};
 }
 
-Diagnostic absent(const WantedFile& wanted, int status) {
-  return Diagnostic{.code = "R2W0228",
-                    .kind = FailureKind::kEnvironment,
-                    .message = wanted.what + " is not there",
-                    .why = {"the channel lists it at " + wanted.url,
-                            "its server answered with status " + std::to_string(status)}};
+Diagnostic absent(const std::string& what, std::string place, int status) {
+  return Diagnostic{
+      .code = "R2W0228",
+      .kind = FailureKind::kEnvironment,
+      .message = what + " is not there",
+      .why = {std::move(place), "its server answered with status " + std::to_string(status)}};
 }
 
-Diagnostic offline(const WantedFile& wanted) {
+Diagnostic offline(const std::string& what) {
   return Diagnostic{.code = "R2W0232",
                     .kind = FailureKind::kEnvironment,
-                    .message = wanted.what + " is not on this machine",
+                    .message = what + " is not on this machine",
                     .why = {"--offline uses only what was downloaded before"}};
 }
 
@@ -95,7 +95,7 @@ void bring_verified(const std::vector<WantedFile>& wanted, const ChannelNetwork&
       continue;
     }
     if (network.offline) {
-      done(i, offline(one));
+      done(i, offline(one.what));
       continue;
     }
     downloader.add(
@@ -117,13 +117,37 @@ void bring_verified(const std::vector<WantedFile>& wanted, const ChannelNetwork&
       } else if (end.outcome->status == 200) {
         outcome = part->second.finish(wanted[end.id].place);
       } else {
-        outcome = absent(wanted[end.id], end.outcome->status);
+        outcome = absent(wanted[end.id].what, "the channel lists it at " + wanted[end.id].url,
+                         end.outcome->status);
       }
       parts.erase(part);
       done(end.id, std::move(outcome));
     }
     if (tick) tick(downloader.progress());
   }
+}
+
+Outcome<std::string> bring_new(const NewFile& wanted, const ChannelNetwork& network,
+                               const Cancellation& cancellation) {
+  std::error_code error;
+  for (const std::string& place : at_mirrors(wanted.url, network)) {
+    if (is_network_url(place) || !std::filesystem::is_regular_file(place, error)) continue;
+    if (std::filesystem::file_size(place, error) > wanted.limit_bytes || error) continue;
+    if (std::filesystem::copy_file(place, wanted.place, error)) return std::string();
+  }
+  if (network.offline) return offline(wanted.what);
+  std::vector<Download> downloads;
+  downloads.push_back({.sources = sources_of(wanted.url, network),
+                       .headers = {},
+                       .file = wanted.place,
+                       .limit_bytes = wanted.limit_bytes,
+                       .asked_header = wanted.asked_header,
+                       .fault = {}});
+  auto ends = download_all(network.download, std::move(downloads), cancellation);
+  if (!ends.front()) return std::move(ends.front()).errors();
+  if (ends.front()->status != 200)
+    return absent(wanted.what, "it was looked for at " + wanted.url, ends.front()->status);
+  return ends.front()->asked_header;
 }
 
 }  // namespace ros2wasm

@@ -33,4 +33,18 @@ void bring_verified(const std::vector<WantedFile>& wanted, const ChannelNetwork&
                     const std::function<void(std::size_t, Outcome<Done>)>& done,
                     const std::function<void(const DownloadProgress&)>& tick = {});
 
+/// A file of unknown hash, to be locked.
+struct NewFile {
+  std::string what;             ///< for messages: "the model `Coke`"
+  std::string url;              ///< without credentials
+  std::filesystem::path place;  ///< where it lies afterwards
+  std::uint64_t limit_bytes = 0;
+  std::string asked_header;  ///< as in TransferRequest
+};
+
+/// Brings the file from the first mirror that has it, else from its server, and gives the value of
+/// the header, if there was one. R2W0228 not there, R2W0232 offline, those of download.hpp.
+[[nodiscard]] Outcome<std::string> bring_new(const NewFile& wanted, const ChannelNetwork& network,
+                                             const Cancellation& cancellation);
+
 }  // namespace ros2wasm

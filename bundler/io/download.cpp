@@ -87,7 +87,8 @@ struct Downloader::State {
                       .bearer = source.bearer,
                       .file = task.download.file,
                       .resume_at = task.size_before,
-                      .limit_bytes = task.download.limit_bytes});
+                      .limit_bytes = task.download.limit_bytes,
+                      .asked_header = task.download.asked_header});
   }
 
   /// Starts what may start now; how long until the next may, or `timeout_ms`.
@@ -188,8 +189,10 @@ struct Downloader::State {
     if (whole && (answer.status == 200 || answer.status == 206)) {
       auto fault = task.download.fault ? task.download.fault(task.download.file) : std::nullopt;
       if (!fault) {
-        return Downloaded{
-            .status = 200, .etag = answer.etag, .last_modified = answer.last_modified};
+        return Downloaded{.status = 200,
+                          .etag = answer.etag,
+                          .last_modified = answer.last_modified,
+                          .asked_header = answer.asked_header};
       }
       start_over(task.download.file);
       // Once more from the beginning: what was there before may have been of another file.

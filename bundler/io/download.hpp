@@ -38,6 +38,7 @@ struct Download {
   bool resume = false;            ///< bytes that are in the file already are the beginning of it
   std::uint64_t size = 0;         ///< expected, for progress; 0: not known
   std::uint64_t limit_bytes = 0;  ///< more are refused; 0: no limit
+  std::string asked_header = {};  ///< as in TransferRequest
   /// Why the whole file is not the right one; empty when it is.
   std::function<std::optional<Diagnostic>(const std::filesystem::path&)> fault;
 };
@@ -48,6 +49,7 @@ struct Downloaded {
   int status = 0;
   std::string etag;
   std::string last_modified;
+  std::string asked_header = {};
 };
 
 struct DownloadProgress {

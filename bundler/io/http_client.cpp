@@ -48,6 +48,7 @@ struct Transfer {
   std::filesystem::path file;
   std::uint64_t resume_at = 0;
   std::uint64_t limit_bytes = 0;
+  std::string asked_header;
   std::uint64_t in_file = 0;  ///< bytes of the body in the file, older ones included
   std::uint64_t arrived = 0;
   bool body_begun = false;
@@ -128,6 +129,10 @@ struct Transfer {
       const char* first = range->data() + std::string_view("bytes ").size();
       if (std::from_chars(first, range->data() + range->size(), begin).ec == std::errc())
         range_begin = begin;
+    } else if (asked_header.empty()) {
+      return;
+    } else if (auto asked = header_value(line, asked_header)) {
+      answer.asked_header = *asked;
     }
   }
 };
@@ -221,6 +226,7 @@ void HttpClient::start(std::size_t id, const TransferRequest& request) {
   transfer->file = request.file;
   transfer->resume_at = request.resume_at;
   transfer->limit_bytes = request.limit_bytes;
+  transfer->asked_header = request.asked_header;
   CURL* easy = curl_easy_init();
   transfer->easy = easy;
   for (const std::string& header : request.headers)

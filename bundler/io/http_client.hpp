@@ -28,6 +28,7 @@ struct TransferRequest {
   std::filesystem::path file;        ///< gets the body of a 200 or 206
   std::uint64_t resume_at = 0;       ///< the file has so many bytes already: ask for the rest only
   std::uint64_t limit_bytes = 0;     ///< of the file; 0: none
+  std::string asked_header;          ///< in lower case: TransferAnswer has its value; empty: none
 };
 
 enum class HttpFailure {
@@ -47,6 +48,7 @@ struct TransferAnswer {
   std::string reason;  ///< of a failure, one line
   std::string etag;
   std::string last_modified;
+  std::string asked_header;  ///< of the last answer that had it, redirects included
   std::optional<int> retry_after_seconds;
   int disk_errno = 0;
 };

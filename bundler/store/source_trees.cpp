@@ -449,13 +449,12 @@ class Bringer {
 
   /// Beside the archives of packages, and looked after as they are.
   Outcome<fs::path> download(const NamedSource& entry, const std::string& sha256) const {
-    const std::vector<WantedFile> wanted{
-        {.what = "the archive of `" + entry.name + "`",
-         .url = entry.place,
-         .place = roots_.cache / "archives" / sha256.substr(0, 2) / sha256 / "source",
-         .size = 0,
-         .sha256 = sha256,
-         .md5 = {}}};
+    const std::vector<WantedFile> wanted{{.what = "the archive of `" + entry.name + "`",
+                                          .url = entry.place,
+                                          .place = source_archive_place(roots_.cache, sha256),
+                                          .size = 0,
+                                          .sha256 = sha256,
+                                          .md5 = {}}};
     if (roots_.network.offline && file_fault(wanted.front(), wanted.front().place))
       return not_here(entry.place);
     Diagnostics errors;
@@ -501,6 +500,10 @@ std::string key_of(const LockedSource& source) {
 
 fs::path source_place(const fs::path& cache, const std::string& key) {
   return cache / "sources" / key.substr(0, 2) / key;
+}
+
+fs::path source_archive_place(const fs::path& cache, const std::string& sha256) {
+  return cache / "archives" / sha256.substr(0, 2) / sha256 / "source";
 }
 
 std::string source_fault(const fs::path& place) {

@@ -45,6 +45,10 @@ struct SourceTreesRequest {
 [[nodiscard]] std::filesystem::path source_place(const std::filesystem::path& cache,
                                                  const std::string& key);
 
+/// An archive of a source in the cache.
+[[nodiscard]] std::filesystem::path source_archive_place(const std::filesystem::path& cache,
+                                                         const std::string& sha256);
+
 /// Why what lies at a source_place() is not what it should be; empty when it is.
 [[nodiscard]] std::string source_fault(const std::filesystem::path& place);
 

@@ -143,6 +143,7 @@ inline constexpr std::string_view kDiagnosticCodes[] = {
     "R2W0533",
     "R2W0534",
     "R2W0535",
+    "R2W0536",
     "R2W0601",
     "R2W0602",
     "R2W0603",

@@ -75,6 +75,8 @@ void put_source(std::string& out, const LockedSource& source) {
   if (source.git.empty()) {
     out.append("  - archive: ").append(as_yaml_text(source.archive)).append("\n");
     put_text(out, indent, "sha256", source.sha256);
+    if (source.size != 0) put_number(out, indent, "size", source.size);
+    if (!source.model.empty()) put_text(out, indent, "model", source.model);
     return put_list(out, indent, "packages", source.packages);
   }
   out.append("  - git: ").append(as_yaml_text(source.git)).append("\n");

@@ -42,6 +42,9 @@ struct LockedSource {
   std::string tree;      ///< git's hash of the commit's files
   std::string archive;   ///< its address, or a path relative to the manifest
   std::string sha256;
+  std::uint64_t size = 0;  ///< of a model's archive, in bytes; else 0
+  std::string
+      model;  ///< of Gazebo Fuel, "OpenRobotics/Coke Can", with "/2" for a version; else empty
   std::string package;  ///< the one that a distribution file led to it for; else empty
   std::vector<std::string>
       packages;  ///< that are taken of it, "arm_driver 0.3.0", sorted; for people

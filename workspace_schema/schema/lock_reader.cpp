@@ -165,6 +165,8 @@ class Reader {
                    {"package", [&](const YamlNode& one) { text(one, source.package); }},
                    {"packages", [&](const YamlNode& one) { texts(one, source.packages); }},
                    {"archive", [&](const YamlNode& one) { text(one, source.archive); }},
+                   {"size", [&](const YamlNode& one) { number(one, source.size); }},
+                   {"model", [&](const YamlNode& one) { text(one, source.model); }},
                    {"sha256", [&](const YamlNode& one) { hash(one, source.sha256, 64); }}},
                   {});
       const bool is_whole = source.git.empty()

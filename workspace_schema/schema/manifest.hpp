@@ -201,6 +201,7 @@ struct Manifest {
   /// Another list of libraries than that of Pyodide's distribution: a pyodide-lock.json, relative
   /// to the manifest.
   std::optional<Spanned<std::string>> python_lock;
+  bool fetches_fuel = false;  ///< `simulation: fuel:`: models of Gazebo Fuel come when it is packed
   std::optional<Spanned<std::string>> launch_file;
   std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
   /// Variables that the launch file and its nodes find, beside those of every site.

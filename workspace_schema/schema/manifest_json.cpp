@@ -208,6 +208,8 @@ std::string manifest_json(const Manifest& manifest) {
   texts(json, "packages", manifest.packages);
   write_sources(json, manifest.sources);
   write_python(json, manifest);
+  if (manifest.fetches_fuel)
+    json.key("simulation").begin_object().key("fuel").boolean(true).end_object();
   json.key("launch");
   if (manifest.launch_file &&
       !(manifest.launch_arguments.empty() && manifest.launch_variables.empty())) {

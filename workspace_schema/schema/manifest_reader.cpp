@@ -70,6 +70,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"packages", {"package", "src"}},
       {"sources", {"source", "rosinstall", "vcs", "git"}},
       {"python", {"wheels", "pip"}},
+      {"simulation", {"simulator", "gazebo", "fuel"}},
       {"launch", {"nodes", "node", "run"}},
       {"programs", {"executables", "program"}},
       {"checks", {"check", "tests", "expect"}},
@@ -136,6 +137,7 @@ class Reader {
     read_lists();
     if (const YamlNode* node = given("sources")) read_sources(binder_, *node, manifest_);
     if (const YamlNode* node = given("python")) read_python(binder_, *node, manifest_);
+    if (const YamlNode* node = given("simulation")) read_simulation(*node);
     read_what_runs();
     if (const YamlNode* node = given("programs"))
       manifest_.programs = read_programs(binder_, *node);
@@ -279,6 +281,16 @@ class Reader {
              return binder_.line(item, "an item of `mirrors`");
            })});
     }
+  }
+
+  void read_simulation(const YamlNode& node) {
+    static const std::vector<KeyRow> kKeys{{"fuel", {"models", "gazebo_fuel", "fetch"}}};
+    if (!binder_.mapping(node, "`simulation`", kKeys)) {
+      binder_.wrong_type(node, "simulation", "a mapping");
+      return;
+    }
+    if (const YamlNode* fuel = value_of(node, "fuel"))
+      manifest_.fetches_fuel = binder_.boolean(*fuel, "fuel").value_or(false);
   }
 
   void read_what_runs() {

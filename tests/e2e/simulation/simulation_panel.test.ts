@@ -11,12 +11,13 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
+import { FIELD_OF_VIEW } from '../../../runtime/site/ui/model/camera_view.ts';
 import { serveFolder } from '../../support/static_server.ts';
 import type { StaticServer } from '../../support/static_server.ts';
 import { chromiumOptions, SOFTWARE_WEB_GL } from '../support/chromium.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { expectAccessible } from '../support/page_stage.ts';
-import { pixels } from '../support/scene_pixels.ts';
+import { brightness, pixels } from '../support/scene_pixels.ts';
 
 const OUTPUT = fileURLToPath(new URL('../../output', import.meta.url));
 const watchdog = { timeout: 300_000 };
@@ -222,6 +223,40 @@ test('objects are added, pushed, dragged and removed, and the world is reset', w
     await panel.getByText('4 models').waitFor();
     assert.equal(await panel.getByRole('button', { name: 'box', exact: true }).count(), 0);
   }));
+
+test('the light of the world casts shadows, where they are wanted', watchdog, () => {
+  // Straight from above, 4 m over the picture's height, around a place beside the crate.
+  const distance = 2 / Math.tan(FIELD_OF_VIEW / 2);
+  const view = { target: [1, 0.8, 0], distance, top: true };
+  const layout = { row: ['nodes', { simulation: { view, grid: false, list: true } }], sizes: [1, 4] };
+  return on({}, `#layout=${encodeURIComponent(JSON.stringify(layout))}`, async (page, panel) => {
+    const shadows = panel.getByRole('checkbox', { name: 'Shadows' });
+    // The processor draws here, so they are off at first.
+    assert.equal(await shadows.isChecked(), false);
+    const box = (await panel.locator('.scene-canvas').boundingBox()) ?? assert.fail();
+    const at = (x: number, y: number): readonly [number, number] => [0.5 + ((x - 1) * box.height) / 4 / box.width, 0.5 - (y - 0.8) / 4];
+    // The sun shines along -0.5, 0.1, -0.9; the crate is half a metre high, and its nearest corners are at x = 1.25 and y = 1.05.
+    const [shaded, beside] = [at(1.05, 1.0), at(1.05, 1.4)];
+    const until = async (what: string, isSo: (shade: number, light: number) => boolean): Promise<void> => {
+      const since = Date.now();
+      for (;;) {
+        const [shade = NaN, light = NaN] = await brightness(page, [shaded, beside]);
+        if (light > 20 && isSo(shade, light)) return;
+        if (Date.now() - since > PATIENCE_MS) {
+          await page.screenshot({ path: join(OUTPUT, 'simulation_failed.png') });
+          assert.fail(`${what}: ${shade} and ${light}`);
+        }
+        await page.waitForTimeout(200);
+      }
+    };
+    await until('without shadows the ground is even', (shade, light) => Math.abs(shade - light) < 2);
+    await shadows.check();
+    await until('the crate casts its shadow on the ground', (shade, light) => shade < 0.85 * light);
+    await page.screenshot({ path: join(OUTPUT, 'simulation_shadows.png') });
+    await shadows.uncheck();
+    await until('the shadow is gone', (shade, light) => Math.abs(shade - light) < 2);
+  });
+});
 
 test('on a phone: the world, its tree and its tools have room, and fingers do what a mouse does', watchdog,
   () =>

@@ -23,7 +23,6 @@ const LAUNCH = `<launch>
   <node pkg="lifecycle_sensor" exec="sensor" name="sensor" namespace="lab"/>
   <node pkg="board_companions_py" exec="pictures" args="/camera/image_raw"/>
   <node pkg="relay" exec="relay"/>
-  <executable cmd="gz sim -r shapes.sdf"/>
 </launch>
 `;
 
@@ -34,7 +33,7 @@ version: 1.0.0
 license: Apache-2.0
 distro: jazzy
 packages: [src/*]
-dependencies: [turtlesim, diagnostic_msgs, ros2wasm_sim]
+dependencies: [turtlesim, diagnostic_msgs]
 launch: all.launch.xml
 checks:
   - {title: Odometry comes often enough, topic: /odom, above: 5 Hz}

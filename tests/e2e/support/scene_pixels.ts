@@ -22,3 +22,23 @@ export async function pixels(page: Page, kind: 'red' | 'green' | 'blue'): Promis
     [png, kind] as const,
   );
 }
+
+/** How bright the drawing is around points of it, each by its share of width and height: means of 5 x 5 pixels, 0 to 255. */
+export async function brightness(page: Page, points: readonly (readonly [number, number])[]): Promise<readonly number[]> {
+  const png = (await page.locator('.scene-canvas').screenshot()).toString('base64');
+  return page.evaluate(
+    async ([data, places]) => {
+      const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+      const picture = await createImageBitmap(new Blob([bytes]));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d', { willReadFrequently: true });
+      context?.drawImage(picture, 0, 0);
+      return places.map(([x, y]) => {
+        const all = context?.getImageData(Math.round(x * picture.width) - 2, Math.round(y * picture.height) - 2, 5, 5).data ?? [];
+        let sum = 0;
+        for (let i = 0; i < all.length; i += 4) sum += (all[i] ?? 0) + (all[i + 1] ?? 0) + (all[i + 2] ?? 0);
+        return sum / 75;
+      });
+    },
+    [png, points] as const,
+  );
+}

@@ -246,16 +246,19 @@ TEST(SdfWorld, AModelOfFuelThatIsMissingIsNamedWithItsArchive) {
                            "Can/2</uri></include>"),
             "warning world:1: the model https://fuel.gazebosim.org/1.0/Some%20Body/models/Coke "
             "Can/2 is not found (searched: /models). A site downloads nothing from "
-            "Gazebo Fuel: unpack https://fuel.gazebosim.org/1.0/Some%20Body/models/Coke%20Can.zip "
+            "Gazebo Fuel when it runs. With `simulation: {fuel: true}` in workspace.yaml it is "
+            "fetched when the site is packed; or unpack "
+            "https://fuel.gazebosim.org/1.0/Some%20Body/models/Coke%20Can/2/Coke%20Can.zip "
             "into a folder `Coke Can` beside the other models of your package, which its "
-            "CMakeLists.txt installs; the address may stay as it is\n");
+            "CMakeLists.txt installs\n");
 }
 
 TEST(SdfWorld, AnArchiveOfFuelCanBePastedIntoAShell) {
   const auto model = fuel_model("https://fuel.gazebosim.org/1.0/O&P/models/$(rm%20a);`b`'%2B");
   ASSERT_TRUE(model);
   EXPECT_EQ(fuel_archive(*model),
-            "https://fuel.gazebosim.org/1.0/O%26P/models/%24%28rm%20a%29%3B%60b%60%27%2B.zip");
+            "https://fuel.gazebosim.org/1.0/O%26P/models/%24%28rm%20a%29%3B%60b%60%27%2B/tip/"
+            "%24%28rm%20a%29%3B%60b%60%27%2B.zip");
 }
 
 TEST(SdfWorld, AddressesOfFuelAreReadWithCare) {
@@ -264,6 +267,14 @@ TEST(SdfWorld, AddressesOfFuelAreReadWithCare) {
   ASSERT_TRUE(file);
   EXPECT_EQ(file->name, "A B");
   EXPECT_EQ(file->file, "m/x.dae");
+  EXPECT_EQ(file->version, "");
+  EXPECT_EQ(fuel_title(*file), "O/A B");
+  EXPECT_EQ(fetched_folder(*file), "o/a_b/tip");
+  const auto second = fuel_model("https://app.gazebosim.org/O%20P/fuel/models/M/12");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(fuel_title(*second), "O P/M/12");
+  EXPECT_EQ(fetched_folder(*second), "o_p/m/12");
+  EXPECT_EQ(fuel_model("https://fuel.gazebosim.org/1.0/O/models/M/files/x")->file, "x");
   EXPECT_EQ(fuel_folders(*file), (std::vector<std::string>{"A B", "A_B", "a b", "a_b"}));
   for (const char* wrong :
        {"https://fuel.gazebosim.org/1.0/O/models/", "https://fuel.gazebosim.org/1.0/O/models/..",
@@ -271,6 +282,25 @@ TEST(SdfWorld, AddressesOfFuelAreReadWithCare) {
         "https://fuel.gazebosim.org/1.0/O/worlds/W", "https://example.org/1.0/O/models/M",
         "model://fuel.gazebosim.org/1.0/O/models/M"})
     EXPECT_FALSE(fuel_model(wrong)) << wrong;
+}
+
+TEST(SdfWorld, AFetchedModelFindsItsOwnFilesUnderAnyName) {
+  const std::string place = "/share/ros2wasm_sim/fuel/o/red_ball/3";
+  const std::map<std::string, std::string> texts{
+      {place + "/model.sdf",
+       "<sdf version='1.9'><model name='ball'><link name='l'><visual name='v'><geometry><mesh>"
+       "<uri>model://ball_of_another_name/meshes/ball.obj</uri></mesh></geometry></visual></link>"
+       "</model></sdf>"},
+      {place + "/meshes/ball.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+      {"/models/ball_of_another_name/meshes/ball.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n"}};
+  const World world = world_of("<include><uri>" + place + "</uri></include>", texts);
+  ASSERT_EQ(world.models.size(), 1U);
+  EXPECT_EQ(std::get<Mesh>(world.models[0].links[0].visuals[0].geometry).file,
+            place + "/meshes/ball.obj");
+  EXPECT_EQ(fetched_model_of(place + "/meshes"), place);
+  EXPECT_EQ(fetched_model_of(place), place);
+  EXPECT_EQ(fetched_model_of("/share/ros2wasm_sim/fuel/o"), "");
+  EXPECT_EQ(fetched_model_of("/share/lab/models/o"), "");
 }
 
 TEST(SdfWorld, UnknownMaterialsAreWarnings) {

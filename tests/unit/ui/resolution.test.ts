@@ -10,9 +10,14 @@ test('the resolution drops with dear pictures, has an end, and comes back with c
   resolution.tell(16);
   assert.deepEqual([resolution.tell(60), resolution.tell(60), resolution.tell(60)], [false, false, true]);
   assert.equal(resolution.share, 0.8);
+  assert.equal(resolution.isPoor, false);
   for (let i = 0; i < 100; i += 1) resolution.tell(60);
   assert.equal(resolution.share, 0.4);
-  for (let i = 0; i < 39; i += 1) assert.equal(resolution.tell(16.7), false);
+  // Then something else must be left away, until pictures are cheap again.
+  assert.equal(resolution.isPoor, true);
+  resolution.tell(16);
+  assert.equal(resolution.isPoor, false);
+  for (let i = 0; i < 38; i += 1) assert.equal(resolution.tell(16.7), false);
   assert.equal(resolution.tell(16.7), true);
   assert.ok(resolution.share > 0.4 && resolution.share < 0.5);
   for (let i = 0; i < 1000; i += 1) resolution.tell(16.7);

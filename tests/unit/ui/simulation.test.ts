@@ -2,11 +2,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LineSegments, Points } from 'three';
+import type { SpotLight } from 'three';
 import { SIM_SHAPES, freeName, momentsOf, sdfOf } from '../../../runtime/site/ui/model/sim_shapes.ts';
 import { linkOf, modelOf, readPace, SimWorld } from '../../../runtime/site/ui/model/sim_world.ts';
 import { readSimulation, writeSimulation } from '../../../runtime/site/ui/model/simulation_options.ts';
 import { worldOf } from '../../../runtime/site/ui/parts/sim_client.ts';
 import { scanRays } from '../../../runtime/site/ui/scene/scan_rays.ts';
+import type { PlacedLight } from '../../../runtime/site/ui/scene/shadow.ts';
+import { WorldLights } from '../../../runtime/site/ui/scene/world_lights.ts';
 
 const upright = { x: 0, y: 0, z: 0, w: 1 };
 const transform = (parent: string, child: string, x = 0): unknown => ({
@@ -94,6 +97,58 @@ test('the state of the panel is read as hostile, and written without what is usu
   });
   assert.deepEqual([odd.flags.shadows, odd.flags.rays, odd.flags.grid, odd.follow, odd.list], [false, true, true, '', true]);
   assert.deepEqual(readSimulation(writeSimulation({ ...odd, follow: 'rover::base' })), { ...odd, follow: 'rover::base' });
+});
+
+test('without a graphics card shadows are drawn when the visitor wants them', () => {
+  const usual = readSimulation(null, false);
+  assert.equal(usual.flags.shadows, false);
+  assert.deepEqual(Object.keys(writeSimulation(usual, false) as object), ['view', 'list']);
+  const wanted = writeSimulation({ ...usual, flags: { ...usual.flags, shadows: true } }, false);
+  assert.equal((wanted as { shadows: boolean; }).shadows, true);
+  assert.equal(readSimulation(wanted, false).flags.shadows, true);
+});
+
+test('lights of the world shine as it says, and a few of them cast shadows', () => {
+  const light = (ns: string, more: object = {}): unknown => ({
+    header: { frame_id: 'world' },
+    action: 0,
+    ns,
+    pose: { position: { x: 0, y: 0, z: 3 }, orientation: { x: 0, y: Math.SQRT1_2, z: 0, w: Math.SQRT1_2 } },
+    scale: { x: 20, y: 1, z: 0.5 },
+    color: { r: 0.8, g: 0.4, b: 0, a: 1 },
+    points: [{ x: 1, y: 0, z: 0.5 }],
+    mesh_use_embedded_materials: true,
+    ...more,
+  });
+  let used: readonly PlacedLight[] = [];
+  const lights = new WorldLights((list) => {
+    used = list;
+  });
+  lights.take({
+    markers: [{ action: 3 }, light('directional'), light('spot'), light('point'), light('spot', { mesh_use_embedded_materials: false }), light('laser'),
+      light('spot', { color: { r: 0, g: -1, b: NaN } }), light('spot', { pose: null })],
+  });
+  lights.build();
+  assert.deepEqual(used.map(({ light: { type }, casts }) => [type, casts]), [['DirectionalLight', true], ['SpotLight', true], ['PointLight', false], [
+    'SpotLight',
+    false,
+  ]]);
+  assert.deepEqual(used[0]?.ahead().toArray().map((part) => Math.round(part) + 0), [0, 0, -1]);
+  const spot = used[1]?.light as SpotLight;
+  assert.ok(Math.abs(spot.intensity - 1.6) < 1e-9 && Math.abs(spot.color.g - 0.5) < 1e-9);
+  assert.deepEqual([spot.angle, spot.penumbra, spot.decay, spot.distance], [0.5, 0.5, 2, 20]);
+  assert.equal([...lights.anchored()].length, 4);
+  // The view's own light is back when the world has none, and many lights are not all drawn.
+  lights.take({ markers: Array.from({ length: 20 }, () => light('directional')) });
+  lights.build();
+  assert.deepEqual([used.length, used.filter(({ casts }) => casts).length], [8, 4]);
+  lights.take({ markers: [{ action: 3 }] });
+  lights.build();
+  assert.deepEqual([used.length, lights.group.children.length], [0, 0]);
+  for (const message of [null, {}, { markers: [null, 3] }]) {
+    lights.take(message);
+    lights.build();
+  }
 });
 
 test('the world is the one whose control a node offers', () => {

@@ -30,8 +30,9 @@ const USUALLY: Readonly<Record<SimFlag, boolean>> = {
   names: false,
 };
 
-export function readSimulation(state: Json): SimulationOptions {
-  const flag = (name: SimFlag): boolean => flagMember(state, name, USUALLY[name]);
+/** `shadows`: whether they are drawn when the visitor did not choose. */
+export function readSimulation(state: Json, shadows = USUALLY.shadows): SimulationOptions {
+  const flag = (name: SimFlag): boolean => flagMember(state, name, name === 'shadows' ? shadows : USUALLY[name]);
   return {
     view: readView(member(state, 'view')),
     flags: {
@@ -49,11 +50,12 @@ export function readSimulation(state: Json): SimulationOptions {
   };
 }
 
-export function writeSimulation({ view, flags, list, follow, images }: SimulationOptions): Json {
+export function writeSimulation({ view, flags, list, follow, images }: SimulationOptions, shadows = USUALLY.shadows): Json {
+  const usually = { ...USUALLY, shadows };
   return {
     view: writeView(view),
     list,
-    ...Object.fromEntries(SIM_FLAGS.filter((name) => flags[name] !== USUALLY[name]).map((name) => [name, flags[name]])),
+    ...Object.fromEntries(SIM_FLAGS.filter((name) => flags[name] !== usually[name]).map((name) => [name, flags[name]])),
     ...(follow === '' ? {} : { follow }),
     ...(images.length === 0 ? {} : { images: images.map((one) => ({ ...one })) }),
   };

@@ -19,6 +19,7 @@ import { SimulationList } from '../parts/simulation_list.tsx';
 import { SimulationSelection } from '../parts/simulation_selection.tsx';
 import { SimulationToolbar } from '../parts/simulation_toolbar.tsx';
 import { useGraph, useTime, useTopics } from '../parts/watch.ts';
+import { drawsInSoftware } from '../scene/resolution.ts';
 import { useSimulation } from '../scene/use_simulation.ts';
 import type { Pressed, SimTool } from '../scene/use_simulation.ts';
 import { texts } from '../texts.ts';
@@ -36,7 +37,9 @@ const DROP = 0.2;
 const SCAN = 'sensor_msgs/msg/LaserScan';
 
 export function SimulationPanel({ session, state, setState, announce }: PanelProps) {
-  const options = useMemo(() => readSimulation(state), [state]);
+  // Shadows cost several pictures' worth where the processor draws.
+  const [shadows, setShadows] = useState(() => !drawsInSoftware());
+  const options = useMemo(() => readSimulation(state, shadows), [state, shadows]);
   const codec = useCodec(session);
   const ready = codec === null || typeof codec === 'string' ? null : codec;
   const topics = useTopics(session);
@@ -67,7 +70,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
   latest.current = { options, setState };
   const change = (next: Partial<SimulationOptions>): void => {
     latest.current.options = { ...latest.current.options, ...next };
-    latest.current.setState(writeSimulation(latest.current.options));
+    latest.current.setState(writeSimulation(latest.current.options, shadows));
   };
   const say = (words: string): void => {
     setSaid(words);
@@ -98,6 +101,7 @@ export function SimulationPanel({ session, state, setState, announce }: PanelPro
     onView: (view) => change({ view }),
     onPress: press,
     onLeaveTool: () => choose(null),
+    onShadowsTooDear: () => setShadows(false),
   });
 
   /** Over the ground, as one looks. */

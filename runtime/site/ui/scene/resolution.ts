@@ -6,6 +6,7 @@ const DEAR = 21; // ms
 /** One that leaves so much room may be finer. */
 const CHEAP = 17.5; // ms
 const LEAST = 0.4;
+const POOR = 0.55;
 const COARSER = 0.8;
 const FINER = 1.1;
 /** So many pictures one after the other, before anything is changed. */
@@ -20,6 +21,13 @@ export class Resolution {
   /** Cheap pictures before the next try: more after each that was in vain, so that the picture does not pulsate. */
   private patience: number = PATIENCE.finer;
 
+  private poor = false;
+
+  /** Pictures take too long although they are coarse: something must be left away. */
+  get isPoor(): boolean {
+    return this.poor;
+  }
+
   /** The share of the screen's own resolution. */
   get share(): number {
     return this.scale;
@@ -30,7 +38,9 @@ export class Resolution {
     this.dear = ms > DEAR ? this.dear + 1 : 0;
     this.cheap = ms < CHEAP ? this.cheap + 1 : ms > DEAR ? 0 : this.cheap;
     const before = this.scale;
+    if (ms < CHEAP) this.poor = false;
     if (this.dear >= PATIENCE.coarser) {
+      this.poor = this.scale <= POOR;
       this.patience = this.tried ? Math.min(2 * this.patience, PATIENCE.longest) : PATIENCE.finer;
       this.change(COARSER);
     } else if (this.cheap >= this.patience) {
@@ -47,8 +57,14 @@ export class Resolution {
   }
 }
 
-/** Is there no graphics card, so that smooth edges cost several pictures' worth? */
+let inSoftware: boolean | undefined;
+
+/** Is there no graphics card, so that smooth edges and shadows cost several pictures' worth? */
 export function drawsInSoftware(): boolean {
+  return (inSoftware ??= looksLikeSoftware());
+}
+
+function looksLikeSoftware(): boolean {
   const context = document.createElement('canvas').getContext('webgl2');
   if (context === null) return false;
   const info = context.getExtension('WEBGL_debug_renderer_info');

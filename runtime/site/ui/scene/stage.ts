@@ -23,11 +23,15 @@ import type { CameraView } from '../model/camera_view.ts';
 import type { Vector } from '../model/transform.ts';
 import { disposeOf } from './dispose.ts';
 import { drawsInSoftware, Resolution } from './resolution.ts';
+import { castFrom, fitShadow } from './shadow.ts';
+import type { PlacedLight } from './shadow.ts';
 
 const MOST_PIXEL_RATIO = 2;
 const REST_MS = 400;
 /** Pixels beside a point or a line that count as on it. */
 const REACH = 5;
+/** Where the stage's own sun shines. */
+const SUNLIGHT = new Vector3(-3, -2, -6).normalize();
 const GROUND = new Plane(new Vector3(0, 0, 1), 0);
 
 export interface StageColors {
@@ -53,6 +57,10 @@ export class Stage {
   private frame = 0;
   private drawings = 0;
   private readonly sun = new DirectionalLight(0xffffff, 1.6);
+  private readonly back = new DirectionalLight(0xffffff, 0.5);
+  /** Those of a world; without any the stage has its own. */
+  private lights: readonly PlacedLight[] = [];
+  private shadowsTooDear: () => void = () => undefined;
   private readonly resolution = new Resolution();
   /** Nothing moves any more: the next picture may take its time. */
   private atRest = false;
@@ -79,9 +87,8 @@ export class Stage {
     this.perspective.up.set(0, 0, 1);
     this.flat.up.set(0, 1, 0);
     this.sun.position.set(3, 2, 6);
-    const back = new DirectionalLight(0xffffff, 0.5);
-    back.position.set(-4, -3, 2);
-    this.scene.add(new AmbientLight(0xffffff, 1.5), this.sun, this.sun.target, back);
+    this.back.position.set(-4, -3, 2);
+    this.scene.add(new AmbientLight(0xffffff, 1.5), this.sun, this.sun.target, this.back);
     this.setColors();
     this.observer = new ResizeObserver(() => this.draw());
     this.observer.observe(canvas);
@@ -129,17 +136,27 @@ export class Stage {
     this.origin = origin;
   }
 
-  /** Solid objects throw shadows and take them. */
-  showShadows(shown: boolean): void {
+  /** Solid objects throw shadows and take them. `tooDear` is called when pictures with shadows take too long. */
+  showShadows(shown: boolean, tooDear: () => void = () => undefined): void {
     this.shadows = shown;
+    this.shadowsTooDear = tooDear;
     this.renderer.shadowMap.enabled = shown;
-    this.sun.castShadow = shown;
-    const side = drawsInSoftware() ? 1024 : 2048;
-    this.sun.shadow.mapSize.set(side, side);
-    this.sun.shadow.bias = -0.0005;
-    this.sun.shadow.normalBias = 0.01;
+    this.castAll();
+  }
+
+  /** Lights of a world, whose objects the caller puts into the scene; an empty list brings the stage's own back. */
+  useLights(lights: readonly PlacedLight[]): void {
+    this.lights = lights;
+    this.sun.visible = lights.length === 0;
+    this.back.visible = lights.length === 0;
+    this.castAll();
+  }
+
+  private castAll(): void {
+    castFrom(this.sun, this.shadows);
+    for (const { light, casts } of this.lights) castFrom(light, this.shadows && casts);
     this.scene.traverse((one) => {
-      // Whether a material takes shadows is part of its program.
+      // Whether a material takes shadows, and of how many lights, is part of its program.
       if (one instanceof Mesh) { for (const each of [one.material].flat()) (each as Material).needsUpdate = true; }
     });
     this.draw();
@@ -206,7 +223,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return; // behind another tab; being shown resizes it
     this.beforeDrawing();
-    if (this.shadows) this.castShadows();
+    this.placeLights();
     const { atRest } = this;
     this.atRest = false;
     clearTimeout(this.resting);
@@ -226,27 +243,27 @@ export class Stage {
     // The cost of a picture is known when the page has its next frame.
     requestAnimationFrame(() => {
       if (this.resolution.tell(performance.now() - began)) this.canvas.dataset['resolution'] = this.resolution.share.toFixed(2);
+      if (this.shadows && this.resolution.isPoor) this.shadowsTooDear();
     });
     if (this.resolution.share < 1) this.resting = setTimeout(this.rest, REST_MS);
   };
 
-  /** Fits the shadows to what is around the middle of the picture. */
-  private castShadows(): void {
-    this.scene.traverse((one) => {
-      if (!(one instanceof Mesh) || !((one as Mesh).material instanceof MeshStandardMaterial)) return;
-      const { transparent } = (one as Mesh).material as MeshStandardMaterial;
-      one.castShadow = !transparent;
-      one.receiveShadow = !transparent;
-    });
+  /** Fits lights that shine from afar, and their shadows, to what is around the middle of the picture. */
+  private placeLights(): void {
     const { target, distance } = this.view;
     const reach = Math.max(2, Math.min(40, distance * 1.5));
     const middle = new Vector3(...target).add(new Vector3(...this.origin));
-    this.sun.target.position.copy(middle);
-    this.sun.position.copy(middle).add(new Vector3(3, 2, 6).setLength(4 * reach));
-    const { camera } = this.sun.shadow;
-    [camera.left, camera.right, camera.bottom, camera.top] = [-reach, reach, -reach, reach];
-    [camera.near, camera.far] = [0.1 * reach, 8 * reach];
-    camera.updateProjectionMatrix();
+    if (this.shadows) {
+      this.scene.traverse((one) => {
+        if (!(one instanceof Mesh) || !((one as Mesh).material instanceof MeshStandardMaterial)) return;
+        const { transparent } = (one as Mesh).material as MeshStandardMaterial;
+        one.castShadow = !transparent;
+        one.receiveShadow = !transparent;
+      });
+      if (this.lights.length === 0) fitShadow(this.sun, SUNLIGHT, middle, reach);
+    }
+    for (const { light, ahead } of this.lights)
+      if (light instanceof DirectionalLight) fitShadow(light, ahead(), middle, reach);
   }
 
   /** Puts the picture as it was last drawn over the canvas, from where it fades. */

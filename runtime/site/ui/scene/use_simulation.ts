@@ -25,6 +25,7 @@ import type { OpenScene } from './open_scene.ts';
 import type { Picked } from './pick.ts';
 import { scanRays } from './scan_rays.ts';
 import { SelectionBox } from './selection_box.ts';
+import { WorldLights } from './world_lights.ts';
 
 export type SimTool = 'drag' | 'push';
 
@@ -42,6 +43,8 @@ export interface SimulationUse {
   /** A link, or empty: the visitor has pressed on it. */
   readonly onPress: (pressed: Pressed | null) => void;
   readonly onLeaveTool: () => void;
+  /** Pictures take too long; without shadows they may not. */
+  readonly onShadowsTooDear: () => void;
 }
 
 export interface Pressed {
@@ -65,6 +68,7 @@ export interface Simulated {
 }
 
 export const SCENE_TOPIC = '/_gz/scene';
+const LIGHTS_TOPIC = '/_gz/lights';
 const COLLISIONS_TOPIC = '/_gz/collisions';
 const CONTACTS_TOPIC = '/_gz/contacts';
 const POSES_TOPIC = '/_gz/poses';
@@ -155,7 +159,7 @@ export function useSimulation(use: SimulationUse): Simulated {
     scene?.view.look(options.view);
   }, [scene, options.view]);
   useEffect(() => scene?.view.follow(options.follow), [scene, options.follow]);
-  useEffect(() => scene?.stage.showShadows(shadows), [scene, shadows]);
+  useEffect(() => scene?.stage.showShadows(shadows, () => latest.current.onShadowsTooDear()), [scene, shadows]);
   useEffect(() => scene?.view.show({ grid, frames, names }), [scene, grid, frames, names]);
   useEffect(() => scene?.stage.draw(), [scene, selected]);
 
@@ -166,11 +170,17 @@ export function useSimulation(use: SimulationUse): Simulated {
     const shapes = new Markers(meshes);
     visuals.current = shapes;
     scene.view.add(SCENE_TOPIC, shapes);
+    const lights = new WorldLights((list) => scene.stage.useLights(list));
+    scene.view.add(LIGHTS_TOPIC, lights);
     const follow = follower(session, ready, problems.current, tell);
     const stops = [
       follow(SCENE_TOPIC, (message) => {
         world.takeShapes(message);
         shapes.take(message);
+        scene.view.messageTaken();
+      }),
+      follow(LIGHTS_TOPIC, (message) => {
+        lights.take(message);
         scene.view.messageTaken();
       }),
       follow(POSES_TOPIC, (message) => {
@@ -188,6 +198,7 @@ export function useSimulation(use: SimulationUse): Simulated {
       for (const stop of stops) stop();
       visuals.current = null;
       scene.view.remove(SCENE_TOPIC);
+      scene.view.remove(LIGHTS_TOPIC);
     };
   }, [session, scene, ready]);
 

@@ -1,5 +1,5 @@
 // Drives to a goal pose: sees it in the robot's own frame, turns towards it, goes there, and takes its heading. Between goals
-// it says nothing on /cmd_vel, so that one can drive by hand.
+// it says nothing on /cmd_vel, so that one can drive by hand. It also draws the trail of the robot's odometry.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,6 +8,8 @@
 
 #include "geometry_msgs/msg/pose_stamped.hpp"
 #include "geometry_msgs/msg/twist.hpp"
+#include "nav_msgs/msg/odometry.hpp"
+#include "nav_msgs/msg/path.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "sensor_msgs/msg/laser_scan.hpp"
 #include "std_msgs/msg/float64.hpp"
@@ -22,6 +24,8 @@ constexpr double kPeriod = 0.05;          // seconds
 constexpr double kHeadingTolerance = 0.05;  // radians
 constexpr double kAhead = 0.5;            // radians to either side that count as ahead
 constexpr int kPatience = 40;             // periods without the goal's frame
+constexpr double kTrailStep = 0.05;       // metres between poses of the trail
+constexpr std::size_t kMostTrail = 400;
 
 class Controller : public rclcpp::Node {
 public:
@@ -40,6 +44,9 @@ public:
         "goal_pose", 10, [this](const geometry_msgs::msg::PoseStamped& goal) { take(goal); });
     scan_ = create_subscription<sensor_msgs::msg::LaserScan>(
         "scan", rclcpp::SensorDataQoS(), [this](const sensor_msgs::msg::LaserScan& scan) { look(scan); });
+    odometry_ = create_subscription<nav_msgs::msg::Odometry>(
+        "odom", 10, [this](const nav_msgs::msg::Odometry& odometry) { draw(odometry); });
+    trail_publisher_ = create_publisher<nav_msgs::msg::Path>("trail", 1);
     timer_ = rclcpp::create_timer(this, get_clock(), rclcpp::Duration::from_seconds(kPeriod),
                                   [this] { step(); });
     if (!declare_parameter("drive", true)) {
@@ -84,6 +91,21 @@ private:
       if (std::abs(angle) < kAhead && scan.ranges[i] >= scan.range_min)
         room_ = std::min(room_, static_cast<double>(scan.ranges[i]));
     }
+  }
+
+  void draw(const nav_msgs::msg::Odometry& odometry) {
+    geometry_msgs::msg::PoseStamped pose;
+    pose.header = odometry.header;
+    pose.pose = odometry.pose.pose;
+    pose.pose.position.z = 0.02;  // above the map
+    if (!trail_.poses.empty()) {
+      const auto& last = trail_.poses.back().pose.position;
+      if (std::hypot(pose.pose.position.x - last.x, pose.pose.position.y - last.y) < kTrailStep) return;
+    }
+    if (trail_.poses.size() == kMostTrail) trail_.poses.erase(trail_.poses.begin());
+    trail_.poses.push_back(pose);
+    trail_.header = pose.header;
+    trail_publisher_->publish(trail_);
   }
 
   void step() {
@@ -151,6 +173,9 @@ private:
   rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr heading_error_;
   rclcpp::Subscription<geometry_msgs::msg::PoseStamped>::SharedPtr goals_;
   rclcpp::Subscription<sensor_msgs::msg::LaserScan>::SharedPtr scan_;
+  rclcpp::Subscription<nav_msgs::msg::Odometry>::SharedPtr odometry_;
+  rclcpp::Publisher<nav_msgs::msg::Path>::SharedPtr trail_publisher_;
+  nav_msgs::msg::Path trail_;
   rclcpp::TimerBase::SharedPtr timer_;
 };
 

@@ -66,8 +66,55 @@ std::optional<std::string> find_below(const std::string& name, std::vector<std::
   return exists(path) ? std::optional(path) : std::nullopt;
 }
 
-/// The folder of a model that somebody has downloaded, or a file in it.
+std::optional<std::string> fetched_models() {
+  const auto share = share_of("ros2wasm_sim");
+  if (!share || !exists(*share + "/" + kFetchedModels)) return std::nullopt;
+  return *share + "/" + kFetchedModels;
+}
+
+/// Sorted, so that each run takes the same one.
+std::vector<std::string> list(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    files.push_back(it->path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// `file` of the last version below `model`: the newest one, if that was fetched.
+std::optional<std::string> in_some_version(const std::string& model, const std::string& file) {
+  const std::vector<std::string> versions = list(model);
+  for (auto version = versions.rbegin(); version != versions.rend(); ++version)
+    if (exists(*version + file)) return *version + file;
+  return std::nullopt;
+}
+
+/// A model, or a file in it, that was fetched when the site was packed.
+std::optional<std::string> find_fetched(const FuelModel& model) {
+  const auto models = fetched_models();
+  if (!models) return std::nullopt;
+  const std::string file = model.file.empty() ? "" : "/" + model.file;
+  const std::string exact = *models + "/" + fetched_folder(model);
+  if (exists(exact + file)) return exact + file;
+  return in_some_version(fs::path(exact).parent_path().string(), file);
+}
+
+/// `NAME/rest` of `model://NAME/rest`, of any owner.
+std::optional<std::string> find_fetched_name(const std::string& name) {
+  const auto models = fetched_models();
+  if (!models) return std::nullopt;
+  const std::size_t slash = name.find('/');
+  const std::string file = slash == std::string::npos ? "" : name.substr(slash);
+  for (const std::string& owner : list(*models))
+    if (const auto found = in_some_version(owner + "/" + fetched_name(name.substr(0, slash)), file))
+      return found;
+  return std::nullopt;
+}
+
+/// The folder of a model of Fuel, or a file in it.
 std::optional<std::string> find_fuel(const FuelModel& model, std::vector<std::string>& searched) {
+  if (const auto found = find_fetched(model)) return found;
   for (const std::string& folder : fuel_folders(model))
     if (const auto found = find_below(folder, searched))
       return model.file.empty() ? *found : *found + "/" + model.file;
@@ -76,7 +123,10 @@ std::optional<std::string> find_fuel(const FuelModel& model, std::vector<std::st
 
 std::optional<std::string> find(const std::string& uri, std::vector<std::string>& searched) {
   const auto after = [&](const std::string& scheme) { return uri.substr(scheme.size()); };
-  if (uri.rfind("model://", 0) == 0) return find_below(after("model://"), searched);
+  if (uri.rfind("model://", 0) == 0) {
+    const auto found = find_below(after("model://"), searched);
+    return found ? found : find_fetched_name(after("model://"));
+  }
   if (uri.rfind("package://", 0) == 0) return find_below(after("package://"), searched);
   if (const auto model = fuel_model(uri)) return find_fuel(*model, searched);
   if (uri.rfind("http://", 0) == 0 || uri.rfind("https://", 0) == 0) return std::nullopt;
@@ -96,15 +146,6 @@ std::optional<std::string> read(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-std::vector<std::string> list(const std::string& folder) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    files.push_back(it->path().string());
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ constexpr std::size_t kMostMarkers = 5000;
 /// Corners of all lists of triangles of a message: 24 bytes each.
 constexpr std::size_t kMostPoints = 150'000;
 constexpr std::size_t kMostContacts = 500;
+constexpr std::size_t kMostLights = 100;
 /// How a force is drawn.
 constexpr double kMetresPerNewton = 0.02, kLongestForce = 1;
 /// How thick a plane is drawn, in metres, below its surface.
@@ -30,6 +31,14 @@ Quaternion from_z_to(const Vector3& direction) {
   const Quaternion half{1 + direction.z, -direction.y, direction.x, 0};
   const double size = std::sqrt(half.w * half.w + half.x * half.x + half.y * half.y);
   return {half.w / size, half.x / size, half.y / size, 0};
+}
+
+/// A rotation that turns x to this direction of length 1.
+Quaternion from_x_to(const Vector3& direction) {
+  if (direction.x < -1 + 1e-9) return {0, 0, 0, 1};
+  const Quaternion half{1 + direction.x, 0, -direction.z, direction.y};
+  const double size = std::sqrt(half.w * half.w + half.y * half.y + half.z * half.z);
+  return {half.w / size, 0, half.y / size, half.z / size};
 }
 
 class Writer {
@@ -154,6 +163,27 @@ geometry_msgs::msg::Point point_message(const Vector3& place) {
   return point;
 }
 
+Marker light_marker(const Light& light, const std::string& frame, int id) {
+  Marker marker;
+  marker.header.frame_id = frame;
+  marker.frame_locked = true;
+  marker.ns = light.type;
+  marker.id = id;
+  marker.type = Marker::ARROW;
+  marker.text = light.name;
+  const double size = length(light.direction);
+  const Vector3 direction = size > 0 ? (1 / size) * light.direction : Vector3{0, 0, -1};
+  marker.pose = pose_message(light.pose * Pose{{}, from_x_to(direction)});
+  marker.scale = vector_message({light.range, light.outer_angle, light.inner_angle});
+  marker.color.r = static_cast<float>(light.diffuse.r * light.intensity);
+  marker.color.g = static_cast<float>(light.diffuse.g * light.intensity);
+  marker.color.b = static_cast<float>(light.diffuse.b * light.intensity);
+  marker.color.a = 1;
+  marker.points = {point_message({light.constant, light.linear, light.quadratic})};
+  marker.mesh_use_embedded_materials = light.cast_shadows;
+  return marker;
+}
+
 Marker contacts_marker(int id, int type, double size) {
   Marker marker;
   marker.header.frame_id = "world";
@@ -170,6 +200,22 @@ Marker contacts_marker(int id, int type, double size) {
 }
 
 }  // namespace
+
+visualization_msgs::msg::MarkerArray light_markers(const World& world) {
+  visualization_msgs::msg::MarkerArray message;
+  message.markers.emplace_back().action = Marker::DELETEALL;
+  const auto add = [&message](const std::vector<Light>& lights, const std::string& frame) {
+    for (const Light& light : lights) {
+      const std::size_t id = message.markers.size();
+      if (id > kMostLights) return;
+      message.markers.push_back(light_marker(light, frame, static_cast<int>(id)));
+    }
+  };
+  add(world.lights, "world");
+  for (const Model& model : world.models)
+    for (const Link& link : model.links) add(link.lights, model.name + "::" + link.name);
+  return message;
+}
 
 visualization_msgs::msg::MarkerArray contact_markers(const std::vector<Contact>& contacts) {
   Marker places = contacts_marker(0, Marker::SPHERE_LIST, 0.02);

@@ -20,6 +20,12 @@ struct SceneMarkers {
 /// `meshes` is asked for parts of files only.
 SceneMarkers scene_markers(const World& world, SceneShapes shapes, const MeshReader& meshes);
 
+/// The lights of a world and its links, at most 100. One is an ARROW along its direction: ns is
+/// `point`, `directional` or `spot`, the colour has the intensity in it, scale is the range, the
+/// outer and the inner angle, and the one point is how it fades (constant, linear, quadratic).
+/// mesh_use_embedded_materials says that it casts shadows.
+visualization_msgs::msg::MarkerArray light_markers(const World& world);
+
 /// Points where collisions touch, and the forces there as lines, in `world`.
 visualization_msgs::msg::MarkerArray contact_markers(const std::vector<Contact>& contacts);
 

@@ -48,6 +48,7 @@ ScenePublisher::ScenePublisher(Host& host, Simulation& simulation, Runner& runne
   using visualization_msgs::msg::MarkerArray;
   visuals_.publisher = node.create_publisher<MarkerArray>("/_gz/scene", latched);
   collisions_.publisher = node.create_publisher<MarkerArray>("/_gz/collisions", latched);
+  lights_.publisher = node.create_publisher<MarkerArray>("/_gz/lights", latched);
   contacts_ = node.create_publisher<MarkerArray>("/_gz/contacts", rclcpp::QoS(5));
   poses_ = node.create_publisher<tf2_msgs::msg::TFMessage>("/_gz/poses", rclcpp::QoS(5));
   stats_ =
@@ -78,11 +79,15 @@ void ScenePublisher::look() {
 }
 
 void ScenePublisher::look_at_shapes() {
-  const auto publish = [&](Shapes& shapes, SceneShapes kind) {
+  const auto is_due = [this](Shapes& shapes) {
     if (shapes.revision == simulation_.revision() ||
         shapes.publisher->get_subscription_count() == 0)
-      return;
+      return false;
     shapes.revision = simulation_.revision();
+    return true;
+  };
+  const auto publish = [&](Shapes& shapes, SceneShapes kind) {
+    if (!is_due(shapes)) return;
     const rclcpp::Logger logger = host_.node()->get_logger();
     const SceneMarkers made = scene_markers(simulation_.world(), kind, site_meshes(logger));
     if (made.skipped > 0)
@@ -92,6 +97,7 @@ void ScenePublisher::look_at_shapes() {
   };
   publish(visuals_, SceneShapes::kVisuals);
   publish(collisions_, SceneShapes::kCollisions);
+  if (is_due(lights_)) lights_.publisher->publish(light_markers(simulation_.world()));
 }
 
 void ScenePublisher::refresh_links() {

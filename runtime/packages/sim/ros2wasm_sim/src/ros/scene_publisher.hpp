@@ -4,6 +4,7 @@
 // - /_gz/scene, visualization_msgs/MarkerArray, latched: the visuals of all links. frame_id is
 //   `model::link`, text the visual's name; frame_locked is false for shapes that never move.
 // - /_gz/collisions: the same of collisions.
+// - /_gz/lights: the lights, as light_markers() describes them.
 // - /_gz/contacts: the same of the last step's contacts, at most 60 Hz.
 // - /_gz/poses, tf2_msgs/TFMessage: links in `world`. A message that begins with the frame `world`
 //   has all links, and the joints and sensors in their links; others have the links that moved. At
@@ -62,7 +63,7 @@ class ScenePublisher {
   Simulation& simulation_;
   Runner& runner_;
   Drag drag_;
-  Shapes visuals_, collisions_;
+  Shapes visuals_, collisions_, lights_;
   rclcpp::Publisher<visualization_msgs::msg::MarkerArray>::SharedPtr contacts_;
   rclcpp::Publisher<tf2_msgs::msg::TFMessage>::SharedPtr poses_;
   rclcpp::Publisher<gazebo_msgs::msg::PerformanceMetrics>::SharedPtr stats_;

@@ -2,6 +2,7 @@
 #include "sdf/context.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "sdf/fuel.hpp"
@@ -36,10 +37,10 @@ std::string joined(const std::vector<std::string>& words) {
 /// How to get the file of `model://NAME/rest` or `package://NAME/rest`.
 std::string way_to_file(const std::string& uri, const std::vector<std::string>& searched) {
   if (const auto model = fuel_model(uri)) {
-    return ". A site downloads nothing from Gazebo Fuel: unpack " + fuel_archive(*model) +
-           " into a folder `" + fuel_folders(*model).front() +
-           "` beside the other models of your package, which its CMakeLists.txt installs; the "
-           "address may stay as it is";
+    return ". A site downloads nothing from Gazebo Fuel when it runs. With `simulation: {fuel: "
+           "true}` in workspace.yaml it is fetched when the site is packed; or unpack " +
+           fuel_archive(*model) + " into a folder `" + fuel_folders(*model).front() +
+           "` beside the other models of your package, which its CMakeLists.txt installs";
   }
   const std::size_t scheme = uri.find("://");
   const std::string kind = uri.substr(0, scheme);
@@ -181,6 +182,7 @@ std::string Context::find(const std::string& uri, const Node& where, const std::
     return known->second;
   }
   std::string& path = found_[folder + '\n' + uri];
+  if (const auto own = find_in_fetched(uri, folder)) return path = *own;
   const bool is_relative = uri.find("://") == std::string::npos && uri.substr(0, 1) != "/";
   std::vector<std::string> searched;
   std::optional<std::string> result;
@@ -198,6 +200,17 @@ std::string Context::find(const std::string& uri, const Node& where, const std::
   }
   path = result.value_or("");
   return path;
+}
+
+std::optional<std::string> Context::find_in_fetched(const std::string& uri,
+                                                    const std::string& folder) const {
+  constexpr std::string_view kModel = "model://";
+  const std::string model = fetched_model_of(folder);
+  const std::size_t file = uri.find('/', kModel.size());
+  if (model.empty() || uri.compare(0, kModel.size(), kModel) != 0 || file == std::string::npos) {
+    return std::nullopt;
+  }
+  return find_quietly(model + uri.substr(file));
 }
 
 std::optional<std::string> Context::find_quietly(const std::string& uri) const {

@@ -72,6 +72,9 @@ class Context {
 
  private:
   void add_note(Note note);
+  /// A file of the fetched model that `folder` is in, by `model://ANY/FILE`.
+  std::optional<std::string> find_in_fetched(const std::string& uri,
+                                             const std::string& folder) const;
   void add_note(Severity severity, const Node& where, const std::string& text);
 
   const Resources& resources_;

@@ -40,6 +40,10 @@ bool is_plain(const std::string& name) {
          });
 }
 
+bool is_number(const std::string& text) {
+  return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == text.npos;
+}
+
 /// People paste the address into a shell: all that is not a letter, a digit or one of `-._~%` is
 /// written by its number.
 std::string escaped(const std::string& text) {
@@ -88,7 +92,8 @@ std::optional<FuelModel> fuel_model(const std::string& uri) {
   if (!skip("models/")) return std::nullopt;
   model.name = next_part(rest);
   if (!is_plain(model.owner) || !is_plain(model.name)) return std::nullopt;
-  next_part(rest);  // a version, such as 2 or tip
+  const std::string version = rest.substr(0, 6) == "files/" ? "" : next_part(rest);
+  if (is_number(version)) model.version = version;  // else `tip`, the newest one
   if (!skip("files/")) return model;
   while (!rest.empty()) {
     const std::string part = next_part(rest);
@@ -106,9 +111,42 @@ std::vector<std::string> fuel_folders(const FuelModel& model) {
   return names;
 }
 
+std::string fuel_title(const FuelModel& model) {
+  return model.owner + "/" + model.name + (model.version.empty() ? "" : "/" + model.version);
+}
+
 std::string fuel_archive(const FuelModel& model) {
-  return "https://fuel.gazebosim.org/1.0/" + escaped(model.owner) + "/models/" +
-         escaped(model.name) + ".zip";
+  const std::string name = escaped(model.name);
+  return "https://fuel.gazebosim.org/1.0/" + escaped(model.owner) + "/models/" + name + "/" +
+         (model.version.empty() ? "tip" : model.version) + "/" + name + ".zip";
+}
+
+std::string fetched_name(const std::string& name) {
+  std::string result = in_small_letters(name);
+  for (char& letter : result) {
+    const bool is_letter = letter >= 'a' && letter <= 'z';
+    const bool is_digit = letter >= '0' && letter <= '9';
+    if (!is_letter && !is_digit && letter != '-' && letter != '.') letter = '_';
+  }
+  return result;
+}
+
+std::string fetched_folder(const FuelModel& model) {
+  return fetched_name(model.owner) + "/" + fetched_name(model.name) + "/" +
+         (model.version.empty() ? "tip" : model.version);
+}
+
+std::string fetched_model_of(const std::string& folder) {
+  const std::string begin = std::string("/ros2wasm_sim/") + kFetchedModels + "/";
+  std::size_t end = folder.find(begin);
+  if (end == std::string::npos) return "";
+  end += begin.size();
+  for (int part = 0; part < 2; ++part) {
+    end = folder.find('/', end);
+    if (end == std::string::npos) return "";
+    ++end;
+  }
+  return folder.substr(0, folder.find('/', end));
 }
 
 }  // namespace ros2wasm_sim

@@ -21,6 +21,10 @@ namespace {
 constexpr std::array<std::string_view, 5> kNotByImport = {"aiohttp", "httpx", "pygame", "requests",
                                                           "urllib3"};
 
+/// They open windows, which this package of a channel makes panels of the page.
+constexpr std::array<std::string_view, 2> kWithWindows = {"matplotlib", "pillow"};
+constexpr std::string_view kPanels = "ros2wasm_figures";
+
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }
@@ -47,6 +51,7 @@ class Request {
     ask_of_wheels();
     if (!errors_.empty()) return errors_;
     take_what_is_needed();
+    ask_for_panels();
     for (std::size_t i = 0; i < question_.packages.size(); ++i) {
       if (question_.left_out.contains(i)) continue;
       for (const auto& one : question_.packages[i].python_requirements) compare(one);
@@ -153,6 +158,18 @@ class Request {
       taken_.emplace(project, row->second);
       open.insert(open.end(), row->second.depends.begin(), row->second.depends.end());
     }
+  }
+
+  void ask_for_panels() {
+    const std::string package = conda_name(kPanels, question_.manifest.distro);
+    const bool has_windows =
+        std::any_of(kWithWindows.begin(), kWithWindows.end(), [&](std::string_view project) {
+          return taken_.contains(std::string(project)) || is_wheel(std::string(project));
+        });
+    if (has_windows && has(question_.known.names, package))
+      result_.specs.push_back({.text = package,
+                               .origin = "windows of a library of Pyodide's distribution",
+                               .span = std::nullopt});
   }
 
   void compare(const Spanned<std::string>& wish) {

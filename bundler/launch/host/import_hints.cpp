@@ -17,6 +17,9 @@ constexpr std::string_view kKeys =
     "a page gives nodes no keys of the machine: a node reads its standard input, which the page's "
     "console writes, or a topic of the page's teleoperation panel";
 constexpr std::string_view kNoWindows = "a node has no window: its output is its console";
+constexpr std::string_view kNoTkinter =
+    "a node has no window: a page shows pictures of `cv2.imshow`, `matplotlib.pyplot` and "
+    "`PIL.Image.show` in panels, and parameters of nodes are set in the panel Parameters";
 constexpr std::string_view kNoWidgets =
     "a node has no window: what it shows goes to a topic, which the page's panels show, and what "
     "it asks for is a parameter, a topic or its standard input";
@@ -110,7 +113,7 @@ constexpr auto kHints = std::to_array<Hint>({
     {"tensorflow", kCompiled},
     {"tf", kRos1},
     {"tf2_kdl", kKdl},
-    {"tkinter", kNoWindows},
+    {"tkinter", kNoTkinter},
     {"torch", kCompiled},
     {"turtle", kNoWindows},
     {"ultralytics", kCompiled},

@@ -209,6 +209,7 @@ function hostModule(
     take_stop: () => stop.take(),
     forget_stop: () => stop.forget(),
     show_output: showOutput,
+    has_page: () => 'WorkerGlobalScope' in globalThis,
     tell: host.tell,
     file_give: (path: string, bytes: PyProxy): void => host.give(path, copyOf(bytes)),
     address: (bytes: PyProxy): number => addressOf(bytes, buffers),

@@ -14,12 +14,15 @@ import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
 import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
 import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
+import { useCameras } from './parts/use_cameras.ts';
 import { useCvWindows } from './parts/use_cv_windows.ts';
+import { useFigures } from './parts/use_figures.ts';
 import { useFocus } from './parts/use_focus.ts';
 import { useLoaded } from './parts/use_loaded.ts';
 import { useLayout } from './parts/use_layout.ts';
 import { useNodes, useMedia } from './parts/watch.ts';
 import type { EmbedView } from './model/embed_link.ts';
+import { tabsOf } from './model/layout.ts';
 import type { PanelTab } from './model/layout.ts';
 import type { Store } from './model/preferences.ts';
 import { panelRow } from './panels/index.ts';
@@ -48,6 +51,8 @@ export function Page({ session, store, offline, embed }: PageProps) {
   useNodeNews(session, announce);
   useTaskNews(session, store, announce);
   useCvWindows(session, embed === null, (panel, state) => void control.open(null, panel, state));
+  const tabs = useMemo(() => tabsOf(control.layout.root), [control.layout]);
+  useFigures(session, embed === null, tabs, (panel, state) => void control.open(null, panel, state));
   // Also while no panel shows them: a topic opened later has its last message.
   useEffect(() => session.onTopics(() => undefined), [session]);
 
@@ -125,6 +130,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
           <IconButton icon="close" label={texts.layout.dismiss} onClick={control.dismiss} />
         </div>
       )}
+      <Cameras session={session} />
       <SourceLinksContext.Provider value={sources}>
         <Dock control={control} narrow={narrow} bare={embed !== null} show={show} />
       </SourceLinksContext.Provider>
@@ -173,6 +179,13 @@ function useTaskNews(session: Session, store: Store | null, announce: (text: str
       stop = null;
     };
   }, [session, store, announce]);
+}
+
+/** Asks for the visitor's camera when a program requests it. The code is loaded at the first request. */
+function Cameras({ session }: { readonly session: Session; }) {
+  const numbers = useCameras(session);
+  const code = useLoaded(numbers.length > 0, () => import('./parts/camera_bar.tsx'));
+  return code === null ? null : numbers.map((number) => <code.CameraBar key={number} session={session} number={number} />);
 }
 
 /** Its code comes when it is first opened. */

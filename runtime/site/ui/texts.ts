@@ -80,6 +80,7 @@ export const texts = {
     text: 'Text',
     log: 'Log',
     image: 'Image',
+    figure: 'Figure',
     turtlesim: 'Turtlesim',
     scene: '3D view',
     simulation: 'Simulation',

@@ -57,7 +57,10 @@ async function call(): Promise<void> {
 const DIAGNOSTICS =
   'ros2 topic pub -r 2 /diagnostics diagnostic_msgs/msg/DiagnosticArray "{status: [{level: 1, name: motor, message: warm, hardware_id: SN 7}]}"';
 
-const SHOWN: Readonly<Record<keyof typeof texts.panels, Shown>> = {
+/** A Figure panel comes to the front by itself when a program shows a figure: see figures.test.ts. */
+type Id = Exclude<keyof typeof texts.panels, 'figure'>;
+
+const SHOWN: Readonly<Record<Id, Shown>> = {
   text: {
     async seen(panel) {
       await panel.getByRole('heading', { name: 'Tune a controller' }).waitFor();
@@ -222,7 +225,7 @@ const SHOWN: Readonly<Record<keyof typeof texts.panels, Shown>> = {
   turtlesim: { seen: (panel) => panel.getByRole('application', { name: /turtle1/ }).waitFor() },
 };
 
-const IDS = Object.keys(SHOWN) as (keyof typeof texts.panels)[];
+const IDS = Object.keys(SHOWN) as Id[];
 
 before(async () => {
   mkdirSync(OUTPUT, { recursive: true });

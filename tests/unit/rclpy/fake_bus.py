@@ -61,6 +61,8 @@ class FakeBus(types.ModuleType):
         #: What was typed, message by message.
         self.typed: deque[bytes] = deque()
         self.rest = b''
+        #: Whether there is a visitor.
+        self.page = True
         #: As the program has set it, the newest last.
         self.terminal_modes: list[int] = []
 
@@ -221,6 +223,9 @@ class FakeBus(types.ModuleType):
 
     def show_output(self) -> None:
         pass
+
+    def has_page(self) -> bool:
+        return self.page
 
     def terminal_mode(self, mode: int) -> None:
         self.terminal_modes.append(mode)

@@ -193,6 +193,16 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./image.tsx').then((file) => file.ImagePanel) },
   },
   {
+    id: 'figure',
+    title: texts.panels.figure,
+    icon: 'plot',
+    group: 'see',
+    watched: true,
+    many: true,
+    fits: (site) => site.packages.includes('ros2wasm_figures'),
+    source: { kind: 'lazy', load: () => import('./figure.tsx').then((file) => file.FigurePanel) },
+  },
+  {
     id: 'scene',
     title: texts.panels.scene,
     icon: 'scene',

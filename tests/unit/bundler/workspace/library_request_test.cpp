@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bundler/workspace/python_requirements.hpp"
 
 namespace ros2wasm {
@@ -23,6 +25,7 @@ PythonLibraries distribution() {
       row("openblas", "0.3", "", "") + "," + row("numpy", "2.0.2", R"("numpy")", "") + "," +
       row("scikit-image", "0.25", R"("skimage")", R"("scipy", "Pillow", "lazy_loader")") + "," +
       row("Pillow", "10.2", R"("PIL")", "") + "," +
+      row("matplotlib", "3.8.4", R"("matplotlib")", "") + "," +
       row("lazy-loader", "0.4", R"("lazy_loader")", "") + "," +
       row("requests", "2.31", R"("requests")", "") + "}}";
   auto read = read_python_libraries(text, "lock");
@@ -103,6 +106,21 @@ TEST_F(LibraryRequests, TakesAllOfALibraryThatAnotherNeeds) {
   import("skimage");
   EXPECT_EQ(asked(),
             (Names{"lazy-loader", "openblas", "pillow", "scikit-image", "scipy", "channel numpy"}));
+}
+
+TEST_F(LibraryRequests, AsksForThePanelsOfLibrariesWithWindows) {
+  manifest_.distro = "jazzy";
+  known_.names = {"numpy", "ros-jazzy-ros2wasm-figures"};
+  import("scipy");
+  const Names without = asked();
+  EXPECT_EQ(std::count(without.begin(), without.end(), "channel ros-jazzy-ros2wasm-figures"), 0);
+  for (const char* module : {"matplotlib", "PIL"}) {
+    packages_.front().python_uses.clear();
+    import(module);
+    const Names with = asked();
+    EXPECT_EQ(std::count(with.begin(), with.end(), "channel ros-jazzy-ros2wasm-figures"), 1)
+        << module;
+  }
 }
 
 TEST_F(LibraryRequests, TakesWhatAProgramCanDoWithoutOnlyByItsKey) {

@@ -176,10 +176,16 @@ class _Notebook:
 
 
 _notebook = _Notebook()
+#: Called at the end of each cell.
+after_cell: list[Callable[[], None]] = []
 
 
 def attach(show: Shower, clear: Clearer) -> None:
     _notebook.show, _notebook.clear = show, clear
+
+
+def is_in_notebook() -> bool:
+    return _notebook.show is not None
 
 
 def display(

@@ -48,6 +48,8 @@ _handler_of = signal.getsignal
 own_loop: Any = None
 #: The program's threads, once they are installed (threads.py).
 threads: Any = None
+#: Called before a wait with its timeout in ns (negative: none); returns the timeout to use.
+before_wait: Callable[[int], int] | None = None
 
 #: What an executor sees: the wake token, the version of the statuses, the own readers that have something.
 Seen = tuple[int, int, list[int]]
@@ -173,6 +175,8 @@ def wait_on_link(token: int, timeout_ns: int) -> int:
 
 def wait(token: int, timeout_ns: int) -> int:
     """Wait for an event after the token, a stop, or so long. Negative: without end."""
+    if before_wait is not None:
+        timeout_ns = before_wait(timeout_ns)
     if threads is not None and threads.count > 1:
         return _told(threads.wait(token, timeout_ns))
     return _told(wait_on_link(token, timeout_ns))

@@ -43,6 +43,8 @@ OWN_FILES = (__file__, asyncio.__path__[0])
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 #: `%name` and `!command`; not the rest of an expression, such as `% n)` or `!= n`.
 MAGIC = re.compile(r'\s*(?:%[A-Za-z%]|![^=])')
+#: Accepted silently: figures are always shown below the cell.
+USUAL = re.compile(r'\s*%matplotlib\s+inline\s*$')
 
 Event = dict[str, Any]
 
@@ -224,6 +226,9 @@ class Kernel:
         if not magics or lines[magics[0]].startswith('%%'):
             return None
         for at in magics:
+            if USUAL.match(lines[at]):
+                lines[at] = ''
+                continue
             print(f'line {at + 1} does nothing here: `{lines[at].strip()}` is for IPython', file=sys.stderr)
             lines[at] = ''
         return '\n'.join(lines)
@@ -284,7 +289,18 @@ class Kernel:
             self.flush()
             self.failed(error)
             good = False
-        self.tell('end', good=good)
+        self.tell('end', good=self.finished() and good)
+
+    def finished(self) -> bool:
+        """Run the callbacks for the end of a cell, such as showing figures."""
+        try:
+            for call in display.after_cell:
+                call()
+        except BaseException as error:
+            self.flush()
+            self.failed(error)
+            return False
+        return True
 
     def failed(self, error: BaseException) -> None:
         part = own_part_gone(error.__traceback__)

@@ -17,7 +17,7 @@ import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import event_loop, host, import_hook, processes, signals, terminal, threads
+from ros2wasm import event_loop, host, import_hook, processes, signals, terminal, threads, window_hook
 from ros2wasm.codec import find_numpy
 
 NS = 1_000_000_000
@@ -91,6 +91,7 @@ def install() -> None:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(line_buffering=True)
     import_hook.install()
+    window_hook.install()
 
 
 def prepare() -> None:

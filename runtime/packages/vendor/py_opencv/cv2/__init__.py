@@ -1,7 +1,7 @@
 """OpenCV 4.13, as npm's OpenCV.js is built of it, with the parameters and results of OpenCV's own Python module.
 
-Windows are panels of the page. It has no cameras and videos, and not all functions: a workspace that uses a function
-which is not here gets Pyodide's opencv-python in its place.
+Windows are panels of the page, and the camera is the visitor's. Some functions are missing: a workspace that uses one
+of them gets Pyodide's opencv-python instead.
 """
 import numpy as _numpy
 from cv2._call import CONSTANTS as _CONSTANTS
@@ -12,6 +12,7 @@ from cv2._call import ask_object as _ask_object
 from cv2._call import make as _make
 from cv2._call import wrap as _wrap
 from cv2 import aruco  # noqa: F401
+from cv2._capture import VideoCapture, VideoWriter, VideoWriter_fourcc  # noqa: F401
 from cv2._codecs import (  # noqa: F401
     IMREAD_ANYCOLOR, IMREAD_ANYDEPTH, IMREAD_COLOR, IMREAD_GRAYSCALE, IMREAD_UNCHANGED, IMWRITE_JPEG_QUALITY,
     haveImageReader, haveImageWriter, imdecode, imencode, imread, imwrite)
@@ -21,9 +22,9 @@ from cv2._more import (  # noqa: F401
     KalmanFilter, accumulate, accumulateSquare, accumulateWeighted, extractChannel, findNonZero, hasNonZero, idft,
     insertChannel, mixChannels, sort)
 from cv2._windows import (  # noqa: F401
-    VideoCapture, VideoWriter, VideoWriter_fourcc, createTrackbar, destroyAllWindows, destroyWindow, getTrackbarPos,
-    getWindowProperty, imshow, moveWindow, namedWindow, pollKey, resizeWindow, setMouseCallback, setTrackbarPos,
-    setWindowProperty, setWindowTitle, waitKey, waitKeyEx)
+    createTrackbar, destroyAllWindows, destroyWindow, getTrackbarPos, getWindowProperty, imshow, moveWindow,
+    namedWindow, pollKey, resizeWindow, setMouseCallback, setTrackbarPos, setWindowProperty, setWindowTitle, waitKey,
+    waitKeyEx)
 
 __version__ = '4.13.0'
 

@@ -2,16 +2,16 @@
 
 The picture of a window NAME is on the topic /cv2/NAME, the newest one for whoever comes later. Its trackbars, and
 whether it asks for the mouse, are on /cv2/NAME/controls; keys, trackbars and the mouse of the panel come on
-/cv2/NAME/input. Both are JSON in std_msgs/msg/String. Cameras and videos are not there.
+/cv2/NAME/input. Both are JSON in std_msgs/msg/String.
 """
 import collections
 import json
 import re
-import sys
 import time
 
 import numpy
 from cv2._call import _array, error
+from ros2wasm.side_node import SideNode, newest
 
 NAMES_OF_TYPES = {1: 'mono8', 3: 'bgr8', 4: 'bgra8'}
 #: How long one look for events sleeps, in seconds.
@@ -20,7 +20,6 @@ LOOK = 0.05
 
 class _Window:
     def __init__(self, desk, name):
-        from rclpy.qos import DurabilityPolicy, QoSProfile
         from sensor_msgs.msg import Image
         from std_msgs.msg import String
         self.desk = desk
@@ -31,10 +30,9 @@ class _Window:
         self.mouse = None
         words = re.sub(r'\W+', '_', str(name)).strip('_')
         topic = '/cv2/' + (words if words[:1].isalpha() else 'window_' + words).rstrip('_')
-        newest = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.pictures = desk.node.create_publisher(Image, topic, newest)
-        self.controls = desk.node.create_publisher(String, topic + '/controls', newest)
-        self.inputs = desk.node.create_subscription(String, topic + '/input', self.take, 100)
+        self.pictures = desk.side.publisher(Image, topic, newest())
+        self.controls = desk.side.publisher(String, topic + '/controls', newest())
+        self.inputs = desk.side.subscription(String, topic + '/input', self.take, 100)
         self.tell()
 
     def tell(self):
@@ -77,17 +75,14 @@ class _Window:
         self.pictures.publish(message)
 
     def close(self):
-        for publisher in (self.pictures, self.controls):
-            self.desk.node.destroy_publisher(publisher)
-        self.desk.node.destroy_subscription(self.inputs)
+        self.desk.side.destroy(self.pictures, self.controls, self.inputs)
 
 
 class _Desk:
     """All windows of the program, and the node that they publish by."""
 
     def __init__(self):
-        self.node = None
-        self.executor = None
+        self.side = SideNode('_cv2_windows')
         self.keys = collections.deque(maxlen=100)
         #: Callbacks of the program: they are called by waitKey(), outside of the executor.
         self.later = collections.deque(maxlen=1000)
@@ -95,24 +90,12 @@ class _Desk:
 
     def window(self, name):
         if name not in self.windows:
-            import rclpy
-            from rclpy.executors import SingleThreadedExecutor
-            if not rclpy.ok():
-                rclpy.init()
-            if self.node is None:
-                self.node = rclpy.create_node('_cv2_windows', start_parameter_services=False, enable_rosout=False)
-                self.executor = SingleThreadedExecutor()
-                self.executor.add_node(self.node)
             self.windows[name] = _Window(self, name)
         return self.windows[name]
 
     def wait(self, seconds):
         """Until something comes, or for as long."""
-        import rclpy
-        if self.executor is None or not rclpy.ok():
-            time.sleep(seconds)
-        else:
-            self.executor.spin_once(timeout_sec=seconds)
+        self.side.wait(seconds)
         while self.later:
             self.later.popleft()()
 
@@ -220,64 +203,3 @@ def setWindowTitle(winname, title):
 
 def getWindowProperty(winname, prop_id):
     return 1.0 if winname in _desk.windows else -1.0
-
-
-class VideoCapture:
-    """A page gives no camera or video to a program: it is never opened."""
-
-    def __init__(self, *source):
-        if source:
-            self.open(*source)
-
-    def open(self, source, *options):
-        print(
-            f'[ WARN] cv2.VideoCapture({source!r}): a site has no cameras and videos for programs; '
-            'subscribe to a topic with images', file=sys.stderr, flush=True)
-        return False
-
-    def isOpened(self):
-        return False
-
-    def read(self, image=None):
-        return False, None
-
-    def grab(self):
-        return False
-
-    def retrieve(self, image=None, flag=0):
-        return False, None
-
-    def get(self, propId):
-        return 0.0
-
-    def set(self, propId, value):
-        return False
-
-    def release(self):
-        """Nothing is open."""
-
-
-class VideoWriter:
-    """Videos are not written: it is never opened."""
-
-    def __init__(self, *options):
-        if options:
-            print(
-                '[ WARN] cv2.VideoWriter: a site writes no videos; record the topic in a bag',
-                file=sys.stderr, flush=True)
-
-    def isOpened(self):
-        return False
-
-    def write(self, image):
-        """Nothing is open."""
-
-    def release(self):
-        """Nothing is open."""
-
-
-def VideoWriter_fourcc(*letters):
-    return sum(ord(letter) << 8 * place for place, letter in enumerate(letters))
-
-
-VideoWriter.fourcc = staticmethod(VideoWriter_fourcc)

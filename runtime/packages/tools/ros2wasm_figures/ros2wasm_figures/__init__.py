@@ -1,0 +1,1 @@
+"""Windows of Python libraries as panels of the page."""

@@ -1,0 +1,37 @@
+// Opens a Figure panel for each new figure. When the visitor closes the panel, the figure is closed in its program, too.
+
+import { useEffect, useRef } from 'preact/hooks';
+import type { Session } from '../../contract/session.ts';
+import { figuresOf } from '../model/figure_topics.ts';
+import { textMember } from '../model/json.ts';
+import type { Json } from '../model/json.ts';
+import type { PanelTab } from '../model/layout.ts';
+import { codecOf } from './message_feed.ts';
+
+const PANEL = 'figure';
+
+export function useFigures(session: Session, wanted: boolean, tabs: readonly PanelTab[], open: (panel: string, state: Json) => void): void {
+  const newest = useRef(open);
+  newest.current = open;
+  const shown = useRef<readonly string[]>([]);
+  useEffect(() => {
+    if (!wanted) return undefined;
+    let before = new Set<string>();
+    return session.onTopics((topics) => {
+      const now = figuresOf(topics);
+      for (const topic of now) if (!before.has(topic)) newest.current(PANEL, { topic });
+      before = new Set(now);
+    });
+  }, [session, wanted]);
+  useEffect(() => {
+    const now = tabs.filter(({ panel }) => panel === PANEL).map(({ state }) => textMember(state, 'topic'));
+    const alive = figuresOf(session.topics());
+    for (const topic of shown.current) if (!now.includes(topic) && alive.includes(topic)) void close(session, topic);
+    shown.current = now;
+  }, [session, tabs]);
+}
+
+async function close(session: Session, topic: string): Promise<void> {
+  const [codec, { sendOnce }] = await Promise.all([codecOf(session), import('./window_link.ts')]);
+  sendOnce(session, codec, topic, { close: true });
+}

@@ -23,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kCompressionLevel = 17;  // near the best, and still quick for static libraries
+/// For folders of thousands of headers, which level 17 makes a tenth smaller in six times the time.
+constexpr int kLevelOfLargeTrees = 12;
+constexpr std::size_t kLargeTree = 64U << 20U;  // bytes
 constexpr std::uint64_t kLargestPart = 0xFFFFFFFFULL - (1U << 20U);
 
 Diagnostic bad_metadata(const CondaPackage& package, const std::string& why) {
@@ -261,7 +264,9 @@ Outcome<std::string> write_conda(const CondaPackage& package, const fs::path& st
   TarWriter info_tar;
   for (const auto& [name, bytes] : *info) info_tar.file(name, bytes);
   const std::string stem = package.name + "-" + package.version + "-" + package.build;
-  const std::string files_part = zstd_compressed(payload.take_tar(), kCompressionLevel);
+  const std::string tar = payload.take_tar();
+  const std::string files_part =
+      zstd_compressed(tar, tar.size() > kLargeTree ? kLevelOfLargeTrees : kCompressionLevel);
   const std::string info_part = zstd_compressed(info_tar.finish(), kCompressionLevel);
   if (files_part.size() + info_part.size() > kLargestPart) {
     return bad_prefix(staged_prefix, "the archive would be larger than 4 GiB");

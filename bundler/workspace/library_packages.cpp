@@ -13,11 +13,24 @@ struct LibraryPackage {
 };
 
 constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
+    {"Armadillo", "armadillo"},
+    {"Boost", "libboost-headers"},
     {"Eigen3", "eigen"},
+    {"GeographicLib", "geographiclib-cpp"},
+    {"TinyXML2", "tinyxml2"},
+    {"armadillo", "armadillo"},
+    {"boost", "libboost-headers"},
     {"eigen", "eigen"},
     {"fmt", "fmt"},
+    {"geographiclib", "geographiclib-cpp"},
+    {"graphicsmagick", "graphicsmagick"},
+    {"libboost-all-dev", "libboost-headers"},
+    {"libboost-dev", "libboost-headers"},
+    {"libgraphicsmagick++1-dev", "graphicsmagick"},
+    {"libnanoflann-dev", "nanoflann"},
     {"liborocos-kdl-dev", "orocos-kdl"},
     {"libyaml-cpp-dev", "yaml-cpp"},
+    {"nanoflann", "nanoflann"},
     {"nlohmann-json-dev", "nlohmann_json"},
     {"nlohmann_json", "nlohmann_json"},
     {"numpy", "numpy"},
@@ -27,8 +40,13 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"python3-pil", "pillow"},
     {"python3-serial", "pyserial"},
     {"python3-yaml", "pyyaml"},
+    {"range-v3", "range-v3"},
+    {"spdlog", "spdlog"},
+    {"tinyxml2", "tinyxml2"},
     {"transforms3d", "transforms3d"},
     {"tzdata", "tzdata"},
+    {"uuid", "libuuid"},
+    {"uuid-dev", "libuuid"},
     {"yaml-cpp", "yaml-cpp"},
 });
 

@@ -116,8 +116,7 @@ def run(options: argparse.Namespace) -> int:
     toolchain = ROOT / "templates" / "toolchain"
     keys = package_keys(every, compiler, Path(__file__).parent, toolchain)
     work: Path = options.work or options.out.parent / "channel-work"
-    workshop = Workshop(work / f"{compiler.tag}-{compiler.digest[:8]}", compiler,
-                        toolchain / "ros2wasm-toolchain.cmake", options.cli, options.jobs)
+    workshop = Workshop(work / f"{compiler.tag}-{compiler.digest[:8]}", compiler, toolchain, options.cli, options.jobs)
     # Built by the same version with other parts: a site with packages of both would not link.
     outdated = [one for one in work.glob(f"{compiler.tag}-*") if one != workshop.folder]
     for one in outdated:

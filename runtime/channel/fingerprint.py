@@ -23,6 +23,10 @@ HOST_GENERATORS = (
     "/usr/include/rosidl_typesupport_interface",
 )
 SOURCE_SUFFIXES_LEFT_OUT = (".pyc",)
+# The part of the recipe that makes a package's tree: the commands, their environment, and which files stay.
+TREE_RECIPE = "stage.py"
+# Has no part in any package.
+PAGE_RECIPE = "write_versions.py"
 
 
 @dataclass(frozen=True)
@@ -66,7 +70,9 @@ def find_compiler(emscripten: Path | None) -> Compiler:
 
 
 def tree_digest(folder: Path) -> str:
-    """Hashes names and contents of all files below a folder."""
+    """Hashes names and contents of all files below a folder; of a file its content."""
+    if folder.is_file():
+        return hashlib.sha256(folder.read_bytes()).hexdigest()
     result = hashlib.sha256()
     for parent, folders, files in os.walk(folder):
         folders[:] = sorted(name for name in folders if name != "__pycache__")
@@ -80,10 +86,20 @@ def tree_digest(folder: Path) -> str:
     return result.hexdigest()
 
 
+def debian_digest(package: str, info: Path = Path("/var/lib/dpkg/info")) -> str:
+    """Hashes the hashes that dpkg has of all files of an installed package."""
+    lists = [*info.glob(f"{package}.md5sums"), *info.glob(f"{package}:*.md5sums")]
+    if not lists:
+        raise FileNotFoundError(f"Debian's package {package} is not installed: `sudo apt-get install {package}`")
+    return hashlib.sha256(b"\0".join(file.read_bytes() for file in sorted(lists))).hexdigest()
+
+
 def packer_digest(repository: Path) -> str:
-    """Hashes the code that makes archives: when it changes, packages are packed again, not built."""
-    files = sorted((repository / "bundler" / "archive").glob("conda_writer*"))
-    return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
+    """Hashes the code that makes archives of trees: when it changes, packages are packed again, not built."""
+    writers = sorted((repository / "bundler" / "archive").glob("conda_writer*"))
+    recipe = sorted(file for file in (repository / "runtime" / "channel").glob("*.py")
+                    if file.name not in (TREE_RECIPE, PAGE_RECIPE))
+    return hashlib.sha256(b"\0".join(file.read_bytes() for file in (*writers, *recipe))).hexdigest()
 
 
 def linker_digest(repository: Path) -> str:
@@ -96,16 +112,18 @@ def linker_digest(repository: Path) -> str:
 
 def package_keys(packages: dict[str, PackageSource], compiler: Compiler, recipe: Path,
                  toolchain: Path) -> dict[str, str]:
-    """Returns a key for each package: its sources, the keys of its needs, tools and this recipe."""
+    """Returns a key for each package: its sources, the keys of its needs, tools, and how `recipe` builds a tree."""
     base = hashlib.sha256()
     base.update(compiler.digest.encode())
-    for folder in (recipe, toolchain, *map(Path, HOST_GENERATORS)):
+    base.update((recipe / TREE_RECIPE).read_bytes())
+    for folder in (toolchain, *map(Path, HOST_GENERATORS)):
         base.update(tree_digest(folder).encode())
     keys: dict[str, str] = {}
     for name, package in packages.items():
         text = "\n".join([
             base.hexdigest(), name, tree_digest(package.folder),
             *(tree_digest(Path(folder)) for folder in package.host_folders),
+            *(debian_digest(one) for one in package.host_packages),
             *(keys[need] for need in package.build_needs),
         ])
         keys[name] = hashlib.sha256(text.encode()).hexdigest()

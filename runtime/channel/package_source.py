@@ -17,8 +17,9 @@ class PackageSource:
     """One folder with a package.xml. Dependencies name packages of ours only.
 
     A library that others made has in <export> its name in channels (<conda_name>), as it is not a ROS package,
-    and the folders that it is packed from (<host_folder>): of this machine, or below the repository. One that a machine
-    updates has no version of ours: the first line of <version_file> says it.
+    and what it is packed from: folders or files of this machine or below the repository (<host_folder>), or
+    all of a Debian package (<host_package>), which dpkg has hashed, as thousands of headers would be slow to read.
+    One that a machine updates has no version of ours: the first line of <version_file> says it.
     <any_compiler/> marks WebAssembly that does not care which Emscripten made the rest of a site.
     """
 
@@ -31,6 +32,7 @@ class PackageSource:
     use_needs: tuple[str, ...]
     conda_name: str | None = None
     host_folders: tuple[str, ...] = ()
+    host_packages: tuple[str, ...] = ()
     any_compiler: bool = False
 
 
@@ -91,6 +93,7 @@ def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSo
         use_needs=needs(USE_TAGS),
         conda_name=root.findtext("export/conda_name"),
         host_folders=tuple(str(ROOT / (element.text or "")) for element in root.findall("export/host_folder")),
+        host_packages=tuple(element.text or "" for element in root.findall("export/host_package")),
         any_compiler=root.find("export/any_compiler") is not None,
     )
 

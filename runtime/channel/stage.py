@@ -32,7 +32,7 @@ class Workshop:
 
     folder: Path
     compiler: Compiler
-    toolchain: Path
+    toolchain: Path  # the folder
     cli: Path
     jobs: int  # processes that this machine runs well at a time
 
@@ -61,7 +61,7 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
     environment["ROS2WASM_TOOL_CALLS"] = str(workshop.folder / "tool-calls")
     steps = [
         ["cmake", "-G", "Ninja", "-Wno-dev", "-S", str(package.folder), "-B", str(build),
-         f"-DCMAKE_TOOLCHAIN_FILE={workshop.toolchain}",
+         f"-DCMAKE_TOOLCHAIN_FILE={workshop.toolchain / 'ros2wasm-toolchain.cmake'}",
          f"-DROS2WASM_CLI={workshop.cli}",
          f"-DROS2WASM_EMCXX={workshop.compiler.cxx}",
          f"-DCMAKE_CXX_COMPILER_LAUNCHER={workshop.cli};compile-source;--",

@@ -44,7 +44,7 @@ CODE = re.compile(r"\bR2W\d{4}\b")
 SUITES = (
     ("tests/golden/", ".golden"), ("tests/e2e/", ".test.ts"), ("tests/unit/", ".test.ts"),
     ("tests/conformance/", ".test.ts"), ("tests/", "_test.py"), ("tests/", "_test.cpp"),
-    ("tests/fuzz/", "run.py"),
+    ("tests/fuzz/", "run.py"), ("tests/figures/", "_checks.py"),
 )
 
 Rows = dict[str, list[str]]  # a row's text -> the files that show it

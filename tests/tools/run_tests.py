@@ -183,6 +183,9 @@ def suites(build: Path, bless: bool) -> list[Suite]:
             [sys.executable, "-m", "unittest", "discover", "-s", "tests", "-t", ".", "-p", "*_test.py"],
             "lines",
         ),
+        # With Debian's Python, for which its matplotlib is installed.
+        Suite("figures", ["/usr/bin/python3", "-m", "unittest", "discover", "-s", "tests/figures", "-t", ".",
+                          "-p", "*_checks.py"], "lines"),
         Suite("lint", [sys.executable, "tests/tools/lint.py", "--build", str(build)], "lines"),
         Suite("native", ["ctest", "--test-dir", str(build), "--output-on-failure"], "ctest"),
         Suite(

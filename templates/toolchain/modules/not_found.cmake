@@ -1,11 +1,34 @@
-# What a project looked for itself and no site has: a variable such as ZMQ_INCLUDE_DIR stays at NOTFOUND. CMake refuses the
+# What a project looked for itself and no site has: a variable such as ZMQ_INCLUDE_DIR stays at NOTFOUND, and so does one
+# for a library of this machine, which was found in a folder that the project named. CMake refuses the
 # whole project then, also for programs that do not need it. Here include folders that were not found are dropped, and
 # only targets that link a library that was not found are skipped, as other absent libraries have it (left_out.cmake).
 cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 include_guard(GLOBAL)
 
+# Into <result>: whether a path is a library that this machine has for its own programs.
+function(_ros2wasm_is_of_machine path result)
+  set(_is_of_machine FALSE)
+  if(IS_ABSOLUTE "${path}" AND path MATCHES "\\.(a|so)(\\.[0-9]+)*$")
+    set(_is_of_machine TRUE)
+    get_filename_component(_compiler "${ROS2WASM_EMCXX}" REALPATH)
+    get_filename_component(_compiler "${_compiler}" DIRECTORY)
+    foreach(_folder IN LISTS CMAKE_PREFIX_PATH CMAKE_SOURCE_DIR CMAKE_BINARY_DIR _compiler)
+      string(FIND "${path}" "${_folder}/" _at)
+      if(_at EQUAL 0 AND NOT _folder STREQUAL "")
+        set(_is_of_machine FALSE)
+      endif()
+    endforeach()
+  endif()
+  set(${result} ${_is_of_machine} PARENT_SCOPE)
+endfunction()
+
 macro(find_library)
   _find_library(${ARGV})
+  _ros2wasm_is_of_machine("${${ARGV0}}" _ros2wasm_is_foreign)
+  if(_ros2wasm_is_foreign)
+    message(WARNING "${${ARGV0}} is a library of this machine, not of a site")
+    set(${ARGV0} "${ARGV0}-NOTFOUND" CACHE FILEPATH "" FORCE)
+  endif()
   if("${${ARGV0}}" MATCHES "-NOTFOUND$")
     # Before the project's calls of install(), which must know.
     include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
@@ -25,8 +48,13 @@ endfunction()
 function(_ros2wasm_found_only entries result absent)
   set(_absent "")
   foreach(_entry IN LISTS entries)
+    _ros2wasm_is_of_machine("${_entry}" _is_of_machine)
     if(_entry MATCHES "^(.*)-NOTFOUND$")
       set(_absent "${CMAKE_MATCH_1}")
+    elseif(_is_of_machine)
+      include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
+      set(_absent "${_entry}, a library of this machine")
+      list(REMOVE_ITEM entries "${_entry}")
     endif()
   endforeach()
   list(FILTER entries EXCLUDE REGEX "-NOTFOUND$")

@@ -1,6 +1,6 @@
 // The interface definitions say what ROS 2 Jazzy's say: same constants, fields, defaults and order.
 
-// Compatibility, works: all 678 interface definitions, CDR as on the wire of ROS 2, type hashes
+// Compatibility, works: all 683 interface definitions, CDR as on the wire of ROS 2, type hashes
 // (RIHS01)
 
 import assert from 'node:assert/strict';
@@ -17,8 +17,8 @@ import { REPOSITORY, interfaceFiles } from './interface_files.ts';
 
 // Digests of definitions in normal form, taken once from facts about upstream's packages.
 const DIGESTS = {
-  'ROS 2': { count: 232, digest: 'ae2a3406ffbcb41bb421b65b0342f7845a2cb7ce64191ed32d63ee7bcac64a20' },
-  'packages that many use with it': { count: 446, digest: '733b725a828285e3ac60d726a06d8ee6edb2e634a2ccca06d939ef63b096d25d' },
+  'ROS 2': { count: 233, digest: 'a279b66321a7604046d056aa78df0a565fec5a040d367bdc052c3a714192c342' },
+  'packages that many use with it': { count: 450, digest: '74904018de77eef26dde683e32e6e91bce37c50ae7226493f44b885244bb89ce' },
 } as const;
 const USED_WITH_IT = new Set([
   'ackermann_msgs',
@@ -38,6 +38,7 @@ const USED_WITH_IT = new Set([
   'nav_2d_msgs',
   'object_recognition_msgs',
   'octomap_msgs',
+  'pal_statistics_msgs',
   'pcl_msgs',
   'ros_gz_interfaces',
   'rosbag2_interfaces',

@@ -9,6 +9,11 @@
 // Compatibility, works: C headers of messages (`geometry_msgs/msg/transform_stamped.h`), also of the package's own, in C and C++: structures, `__init`, `__fini`,
 // `__create`, `__destroy`, `__copy`, `__are_equal`, lists and texts of rosidl_runtime_c
 //
+// Compatibility, works: libraries that CMakeLists.txt ask pkg-config for, as far as channels have them (`uuid`)
+//
+// Compatibility, cannot: libraries of the machine that builds (`/usr/lib`) -> R2W0519 or a warning that the program which links one
+// is skipped; the channel's are found by their names
+//
 // Compatibility, cannot: type support of C messages (`ROSIDL_GET_MSG_TYPE_SUPPORT` in C) -> the linker (R2W0504), as there is no rclc;
 // publish the C++ message
 import assert from 'node:assert/strict';
@@ -209,6 +214,44 @@ ament_package()
   'src/optional/optional.cpp': SAYS('no ZMQ is needed here'),
   'src/optional/bridge.cpp': '#include <zmq.h>\nint main() { return zmq_ctx_new() == nullptr; }\n',
 
+  // --- libraries by pkg-config, and of folders of the machine that builds
+  'src/ids/package.xml': HEAD('ids', `${AMENT}\n  <build_depend>uuid</build_depend>`),
+  'src/ids/CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
+project(ids)
+find_package(ament_cmake REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(MACHINE zlib)
+if(MACHINE_FOUND)
+  message(FATAL_ERROR "pkg-config names libraries of this machine")
+endif()
+pkg_check_modules(UUID REQUIRED uuid)
+find_library(UUID_PATH \${UUID_LIBRARIES} PATHS \${UUID_LIBRARY_DIRS})
+include_directories(\${UUID_INCLUDE_DIRS})
+add_executable(ids ids.cpp)
+target_link_libraries(ids \${UUID_PATH})
+find_library(MACHINE_MATH m PATHS /usr/lib/\${CMAKE_HOST_SYSTEM_PROCESSOR}-linux-gnu)
+add_executable(found ids.cpp)
+target_link_libraries(found \${UUID_PATH} \${MACHINE_MATH})
+add_executable(named ids.cpp)
+target_link_libraries(named \${UUID_PATH} /usr/lib/\${CMAKE_HOST_SYSTEM_PROCESSOR}-linux-gnu/libm.so)
+install(TARGETS ids found named DESTINATION lib/ids)
+ament_package()
+`,
+  'src/ids/ids.cpp': `#include <cstdio>
+#include <cstring>
+#include <uuid/uuid.h>
+int main() {
+  uuid_t one;
+  uuid_t again;
+  uuid_generate_random(one);
+  char text[UUID_STR_LEN];
+  uuid_unparse(one, text);
+  const bool same = uuid_parse(text, again) == 0 && uuid_compare(one, again) == 0;
+  uuid_generate_random(again);
+  std::printf("%d characters, type %d, %d %d\\n", int(std::strlen(text)), uuid_type(one), same, uuid_compare(one, again) == 0);
+}
+`,
+
   // --- messages by definition only, without ament_cmake; scripts of a setup.cfg that CMake installs
   'src/only_messages/package.xml': HEAD('only_messages', `${AMENT}
   <buildtool_depend>rosidl_default_generators</buildtool_depend>
@@ -255,6 +298,7 @@ packages: [src/*]
 launch:
 ${['newer', 'a_user', 'in_c', 'early', 'optional'].map((one) => `  - {package: ${one}, executable: ${one}}\n`).join('')}  - {package: own_c, executable: wheels}
   - {package: scripts, executable: levels}
+  - {package: ids, executable: ids}
 `);
   packed = await workspace.run(['pack', '--quick'], { PYTHONDONTWRITEBYTECODE: '' });
   assert.equal(packed.code, 0, packed.stderr);
@@ -300,6 +344,13 @@ test('project() may come before cmake_minimum_required()', () => {
 
 test('a library that a Find module does not find takes only what links it along', () => {
   assert.match(said, /^\[optional-5\] no ZMQ is needed here$/m);
+});
+
+test('pkg-config and find_library() know libraries of the site, not those of this machine', () => {
+  assert.match(said, /^\[ids-8\] 36 characters, type 4, 1 0$/m);
+  const programs = globSync(join(workspace.root, 'site/programs/**/*.wasm')).join(' ');
+  assert.match(programs, /\bids\b/);
+  assert.doesNotMatch(programs, /\b(?:found|named)\b/);
 });
 
 test('scripts of a setup.cfg that CMake installs run, with messages of a package that does not look for ament_cmake', () => {

@@ -1,4 +1,7 @@
 // Compiler warnings are printed in full and counted, also when ninja or the cache had nothing to compile.
+
+// Compatibility, differs: `-Werror` of a package -> its warnings are warnings, since the site's compiler has others than the
+// one that its authors have; `-Werror=NAME` counts
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PackWorkspace } from '../support/pack_workspace.ts';
@@ -11,7 +14,7 @@ let ws: PackWorkspace;
 before(() => {
   ws = new PackWorkspace();
   ws.addPackage('lab', { one: MAIN, two: MAIN }, {
-    cmake: 'target_compile_options(one PRIVATE -Wall -Wextra)\ntarget_compile_options(two PRIVATE -Wall -Wextra)\n',
+    cmake: 'target_compile_options(one PRIVATE -Wall -Wextra)\ntarget_compile_options(two PRIVATE -Wall -Wextra -Werror)\n',
   });
   ws.write('src/lab/src/half.hpp', HEADER);
 });

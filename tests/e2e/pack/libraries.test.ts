@@ -15,6 +15,7 @@ const PROGRAMS = new Map([
   ...['calibration', 'camera', 'control', 'documents', 'geometry', 'kinematics', 'monitor', 'robot', 'scan', 'viewer'].map((
     one,
   ): [string, string] => [one, 'library_checks']),
+  ...['compiled', 'headers'].map((one): [string, string] => [one, 'header_checks']),
   ['loader', 'plugin_checks'],
   ...['trees', 'trees_v3'].map((one): [string, string] => [one, 'tree_checks']),
 ]);
@@ -44,6 +45,7 @@ const MANIFEST = `schema: 1
 name: libraries
 distro: jazzy
 packages:
+  - src/header_checks
   - src/library_checks
   - src/plugin_checks
   - src/plugin_shapes
@@ -70,7 +72,7 @@ ${[...PROGRAMS].map(([program, of]) => `  - {package: ${of}, executable: ${progr
 let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace('shared');
-  for (const name of ['library_checks', 'plugin_checks', 'plugin_shapes', 'tree_checks', 'tree_nodes']) {
+  for (const name of ['header_checks', 'library_checks', 'plugin_checks', 'plugin_shapes', 'tree_checks', 'tree_nodes']) {
     cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   }
   cpSync(join(PACKAGES, 'rclcpp_checks/src'), join(workspace.root, 'src/rclcpp_checks/src'), { recursive: true });
@@ -108,4 +110,17 @@ test('the libraries that nodes use hold their checks on both links', { timeout: 
     const { missing, said } = await checksThatHold('site', link);
     assert.deepEqual(missing, [], said);
   }
+});
+
+test('a component of Boost that is compiled is named as missing', async () => {
+  workspace.addPackage('planner', { plan: 'int main() {}' }, {
+    depends: ['libboost-all-dev'],
+    cmake: 'find_package(Boost REQUIRED COMPONENTS system thread filesystem)',
+  });
+  workspace.write('planning/workspace.yaml',
+    'schema: 1\nname: planning\ndistro: jazzy\npackages: [../src/planner]\nlaunch:\n  - {package: planner, executable: plan}\n');
+  const packed = await workspace.run(['pack', 'planning/workspace.yaml', '--output', 'planning/site']);
+  assert.equal(packed.code, 1, packed.stderr);
+  assert.match(packed.stderr, /error\[R2W0503\]: .*Could NOT find Boost \(missing: thread filesystem\)/);
+  assert.match(packed.stderr, /a site has Boost's headers, not its compiled\s+libraries:\s+thread,\s+filesystem/);
 });

@@ -1,5 +1,5 @@
 // Figure panels of the page, with a program that speaks to them as the backend of matplotlib does: through the surfaces of
-// ros2wasm_figures. The backend itself is tested with Debian's matplotlib (tests/unit/ros2wasm_figures).
+// ros2wasm_figures. The backend itself is tested with Debian's matplotlib (tests/figures).
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';

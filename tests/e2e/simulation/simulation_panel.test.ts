@@ -227,7 +227,7 @@ test('objects are added, pushed, dragged and removed, and the world is reset', w
 test('the light of the world casts shadows, where they are wanted', watchdog, () => {
   // Straight from above, 4 m over the picture's height, around a place beside the crate.
   const distance = 2 / Math.tan(FIELD_OF_VIEW / 2);
-  const view = { target: [1, 0.8, 0], distance, top: true };
+  const view = { x: 1, y: 0.8, distance, top: true };
   const layout = { row: ['nodes', { simulation: { view, grid: false, list: true } }], sizes: [1, 4] };
   return on({}, `#layout=${encodeURIComponent(JSON.stringify(layout))}`, async (page, panel) => {
     const shadows = panel.getByRole('checkbox', { name: 'Shadows' });

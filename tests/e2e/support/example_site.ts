@@ -8,7 +8,7 @@ import { type Scratch, runCli } from './served_site.ts';
 const FIRST = '01_talker_listener';
 
 function folderOf(example: string): string {
-  return fileURLToPath(new URL(`../../examples/${example}`, import.meta.url));
+  return fileURLToPath(new URL(`../../../examples/${example}`, import.meta.url));
 }
 
 /** The lines that the example must print, as expressions; they come in this order. */

@@ -295,7 +295,7 @@ TEST(SdfWorld, AFetchedModelFindsItsOwnFilesUnderAnyName) {
       {"/models/ball_of_another_name/meshes/ball.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n"}};
   const World world = world_of("<include><uri>" + place + "</uri></include>", texts);
   ASSERT_EQ(world.models.size(), 1U);
-  EXPECT_EQ(std::get<Mesh>(world.models[0].links[0].visuals[0].geometry).file,
+  EXPECT_EQ(std::get<Mesh>(world.models[0].links[0].visuals[0].geometry).path,
             place + "/meshes/ball.obj");
   EXPECT_EQ(fetched_model_of(place + "/meshes"), place);
   EXPECT_EQ(fetched_model_of(place), place);

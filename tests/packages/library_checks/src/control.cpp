@@ -1,10 +1,16 @@
 // Controllers, and what loops that must not wait read and publish by.
 
-// Compatibility, works: realtime_tools (`RealtimeBuffer`, `RealtimePublisher`, `RealtimeThreadSafeBox`, `RealtimeBox`,
-// `RealtimeServerGoalHandle`); control_toolbox (`Pid` with its anti-windup strategies, `RateLimiter`)
+// Compatibility, works: realtime_tools (`RealtimeBuffer`, `RealtimePublisher`,
+// `RealtimeThreadSafeBox`, `RealtimeBox`, `RealtimeServerGoalHandle`); control_toolbox (`Pid` with
+// its anti-windup strategies, `RateLimiter`)
 
-// Compatibility, differs: `realtime_tools::RealtimePublisher` -> publishes in the thread that asks, at once, as that does not wait here; the
-// filters, `PidROS` and the rest of control_toolbox, and clocks and threads of realtime_tools, are missing
+// Compatibility, works: pal_statistics in C++: registries by key or topic, REGISTER_ENTITY and
+// REGISTER_VARIABLE, registrations that end with their owner, `/full`, `/names` and `/values`,
+// publishing at once or by a thread
+
+// Compatibility, differs: `realtime_tools::RealtimePublisher` -> publishes in the thread that asks,
+// at once, as that does not wait here; the filters, `PidROS` and the rest of control_toolbox, and
+// clocks and threads of realtime_tools, are missing
 
 #include <cmath>
 #include <limits>
@@ -14,6 +20,7 @@
 
 #include "checks.hpp"
 #include "control_toolbox/pid.hpp"
+#include "pal_statistics/pal_statistics_macros.hpp"
 #include "realtime_tools/realtime_box.h"
 #include "realtime_tools/realtime_buffer.hpp"
 #include "realtime_tools/realtime_publisher.hpp"
@@ -71,7 +78,8 @@ void check_pid(Checks& checks) {
   CHECK(near(after[0], 1.5) && near(after[1], -0.5) && after[2] > after[1] && after[2] < 1);
   CHECK_THROWS(std::invalid_argument, strategy("magic"));
   CHECK(!pid.set_gains(1, 1, 1, -1, 1, strategy("none")) && pid.get_gains().p_gain_ == 2);
-  CHECK_THROWS(std::runtime_error, (void)Pid(1, 0, 0, 1, -1, AntiWindupStrategy()).compute_command(1.0, 0.1));
+  CHECK_THROWS(std::runtime_error,
+               (void)Pid(1, 0, 0, 1, -1, AntiWindupStrategy()).compute_command(1.0, 0.1));
 }
 
 void check_values(Checks& checks) {
@@ -114,6 +122,35 @@ void check_publisher(Checks& checks) {
   CHECK(heard == "ab");
 }
 
+void check_statistics(Checks& checks) {
+  using pal_statistics_msgs::msg::StatisticsNames;
+  using pal_statistics_msgs::msg::StatisticsValues;
+  const auto node = std::make_shared<rclcpp::Node>("introspected");
+  StatisticsNames names;
+  StatisticsValues values;
+  const auto of_names = node->create_subscription<StatisticsNames>(
+      "~/loads/names", 1, [&](const StatisticsNames& heard) { names = heard; });
+  const auto of_values = node->create_subscription<StatisticsValues>(
+      "~/loads/values", 1, [&](const StatisticsValues& heard) { values = heard; });
+  const double share = 0.5;
+  const int jobs = 3;
+  {
+    pal_statistics::RegistrationsRAII owned;
+    REGISTER_ENTITY("loads", "share", &share, &owned);
+    REGISTER_ENTITY("loads", "jobs", &jobs, &owned, false);
+    INITIALIZE_REGISTRY(node, "~/loads", "loads");
+    const auto message = pal_statistics::getRegistry("loads")->createMsg();
+    CHECK(message.statistics.size() == 1 && message.statistics[0].value == 0.5);
+    CHECK(owned.enableAll() && !owned.disable("heat"));
+    PUBLISH_STATISTICS("loads");
+    while (names.names.size() < 2 || values.values.size() < 2) rclcpp::spin_some(node);
+    CHECK(names.names[1] == "jobs" && values.values[1] == 3);
+    CHECK(names.names_version == 1 && values.names_version == 1);
+  }
+  CHECK(pal_statistics::getRegistry("loads")->createMsg().statistics.empty());
+  CLEAR_ALL_REGISTRIES();
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -122,5 +159,6 @@ int main(int argc, char* argv[]) {
   check_pid(checks);
   check_values(checks);
   check_publisher(checks);
+  check_statistics(checks);
   return checks.finish();
 }

@@ -152,6 +152,14 @@ void check_interfaces(Checks& checks, const rclcpp::Node::SharedPtr& node) {
   const auto publisher = rclcpp::create_publisher<rcl_interfaces::msg::Parameter>(
       few, "by_interfaces", rclcpp::QoS(1));
   CHECK(node->count_publishers("/under/by_interfaces") == 1);
+  const auto another = rclcpp::create_publisher<rcl_interfaces::msg::Parameter>(
+      node->get_node_parameters_interface(), node->get_node_topics_interface(), "by_interfaces",
+      rclcpp::QoS(1));
+  CHECK(node->count_publishers("/under/by_interfaces") == 2);
+  const auto subscription = rclcpp::create_subscription<rcl_interfaces::msg::Parameter>(
+      node->get_node_parameters_interface(), node->get_node_topics_interface(), "by_interfaces",
+      rclcpp::QoS(1), [](const rcl_interfaces::msg::Parameter&) {});
+  CHECK(another->get_subscription_count() == 1);
   few.set<NodeTopicsInterface>(nullptr);
   CHECK(few.get_node_topics_interface() == nullptr);
 }

@@ -313,6 +313,18 @@ void check_contexts(Checks& checks) {
   CHECK(rclcpp::ok());
 }
 
+/// The stamp of a message moves by a duration as it is.
+void check_stamps(Checks& checks) {
+  builtin_interfaces::msg::Time stamp;
+  stamp.sec = 7;
+  stamp.nanosec = 600'000'000;
+  const builtin_interfaces::msg::Time later = stamp + rclcpp::Duration::from_seconds(0.5);
+  CHECK(later.sec == 8 && later.nanosec == 100'000'000);
+  CHECK((later - rclcpp::Duration::from_seconds(0.5)) == stamp);
+  stamp.sec = -1;
+  CHECK_THROWS(std::runtime_error, (void)(stamp + rclcpp::Duration(1, 0)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -329,5 +341,6 @@ int main(int argc, char** argv) {
   check_messages(checks);
   check_requests(checks);
   check_contexts(checks);
+  check_stamps(checks);
   return checks.finish();
 }

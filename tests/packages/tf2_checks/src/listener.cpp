@@ -9,6 +9,7 @@
 // it runs on any page; a program that only computes or sleeps by `std::this_thread` keeps the last
 // 100 messages of each topic
 
+#include <Eigen/Geometry>  // by tf2_geometry_msgs, as natively
 #include <cmath>
 #include <memory>
 

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "behaviortree_cpp/bt_factory.h"
+#include "behaviortree_cpp/json_export.h"
 #include "behaviortree_cpp/loggers/bt_cout_logger.h"
 #include "behaviortree_cpp/loggers/groot2_publisher.h"
+#include "behaviortree_cpp/xml_parsing.h"
 #include "checks.hpp"
 
 struct Goal {
@@ -22,6 +24,15 @@ inline Goal convertFromString(StringView str) {
 }
 }  // namespace BT
 
+struct Speed {
+  double linear = 0;
+  double angular = 0;
+};
+BT_JSON_CONVERTER(Speed, speed) {
+  add_field("linear", &speed.linear);
+  add_field("angular", &speed.angular);
+}
+
 namespace {
 
 using BT::NodeStatus;
@@ -31,8 +42,7 @@ std::vector<std::string> events;
 
 class MakeGoal : public BT::SyncActionNode {
  public:
-  MakeGoal(const std::string& name, const BT::NodeConfig& config)
-      : SyncActionNode(name, config) {}
+  MakeGoal(const std::string& name, const BT::NodeConfig& config) : SyncActionNode(name, config) {}
   static BT::PortsList providedPorts() { return {BT::OutputPort<Goal>("goal")}; }
   NodeStatus tick() override {
     setOutput("goal", Goal{1.5, 2});
@@ -103,8 +113,8 @@ BT::BehaviorTreeFactory make_factory() {
 /// The answers of each tick until it has none that is RUNNING.
 std::string answers(BT::BehaviorTreeFactory& factory, const std::string& inside) {
   events.clear();
-  auto tree = factory.createTreeFromText(
-      R"(<root BTCPP_format="4"><BehaviorTree ID="Main">)" + inside + "</BehaviorTree></root>");
+  auto tree = factory.createTreeFromText(R"(<root BTCPP_format="4"><BehaviorTree ID="Main">)" +
+                                         inside + "</BehaviorTree></root>");
   std::string result;
   for (int i = 0; i < 20; ++i) {
     const NodeStatus status = tree.tickExactlyOnce();
@@ -148,22 +158,29 @@ void check_ports(Checks& checks, BT::BehaviorTreeFactory& factory) {
 }
 
 void check_controls(Checks& checks, BT::BehaviorTreeFactory& factory) {
-  CHECK(answers(factory, R"(<Sequence><Job name="a"/><Job name="b" fails="true"/><Job name="c"/></Sequence>)") ==
+  CHECK(answers(
+            factory,
+            R"(<Sequence><Job name="a"/><Job name="b" fails="true"/><Job name="c"/></Sequence>)") ==
         "RRF");
   CHECK(told() == "a starts, a ends, b starts, b ends, ");
-  CHECK(answers(factory, R"(<Fallback><Job name="a" fails="1"/><Job name="b"/></Fallback>)") == "RRS");
-  IsOn::is_on = false;
-  CHECK(answers(factory, R"(<ReactiveFallback><IsOn/><Job name="a" ticks="3"/></ReactiveFallback>)") ==
+  CHECK(answers(factory, R"(<Fallback><Job name="a" fails="1"/><Job name="b"/></Fallback>)") ==
         "RRS");
-  CHECK(answers(factory, R"(<IfThenElse><IsOn/><Job name="a"/><Job name="b"/></IfThenElse>)") == "RS" &&
+  IsOn::is_on = false;
+  CHECK(answers(factory,
+                R"(<ReactiveFallback><IsOn/><Job name="a" ticks="3"/></ReactiveFallback>)") ==
+        "RRS");
+  CHECK(answers(factory, R"(<IfThenElse><IsOn/><Job name="a"/><Job name="b"/></IfThenElse>)") ==
+            "RS" &&
         told() == "b starts, b ends, ");
   CHECK(answers(factory, R"(<Parallel success_count="2"><Job name="a" ticks="1"/><Job name="b"/>
     <Job name="c" ticks="9"/></Parallel>)") == "RS");
   CHECK(told() == "a starts, a ends, b starts, c starts, b ends, c is halted, ");
   CHECK(answers(factory, R"(<Parallel failure_count="-1"><Job name="a" fails="1" ticks="1"/>
     <Job name="b" fails="1"/></Parallel>)") == "F");
-  CHECK(answers(factory, R"(<Switch2 variable="b" case_1="a" case_2="b"><Job name="a"/><Job name="b"/>
-    <Job name="c"/></Switch2>)") == "RS" && told() == "b starts, b ends, ");
+  CHECK(
+      answers(factory, R"(<Switch2 variable="b" case_1="a" case_2="b"><Job name="a"/><Job name="b"/>
+    <Job name="c"/></Switch2>)") == "RS" &&
+      told() == "b starts, b ends, ");
 
   // What was begun ends when a condition before it says no.
   IsOn::is_on = true;
@@ -174,7 +191,40 @@ void check_controls(Checks& checks, BT::BehaviorTreeFactory& factory) {
   IsOn::is_on = false;
   CHECK(tree.tickOnce() == NodeStatus::FAILURE && told() == "a starts, a is halted, ");
   IsOn::is_on = true;
-  CHECK(answers(factory, R"(<WhileDoElse><IsOn/><Job name="a"/><Job name="b"/></WhileDoElse>)") == "RS");
+  CHECK(answers(factory, R"(<WhileDoElse><IsOn/><Job name="a"/><Job name="b"/></WhileDoElse>)") ==
+        "RS");
+}
+
+/// An error on request: the child that runs is another than before.
+void check_reactive(Checks& checks, BT::BehaviorTreeFactory& factory) {
+  const std::string two = R"(<ReactiveSequence><Job name="a"/><Job name="b"/></ReactiveSequence>)";
+  BT::ReactiveSequence::EnableException(true);
+  CHECK_THROWS(BT::LogicError, (void)answers(factory, two));
+  BT::ReactiveSequence::EnableException(false);
+  CHECK(
+      answers(factory,
+              R"(<ReactiveSequence><Job name="a" ticks="1"/><Job name="b"/></ReactiveSequence>)") ==
+      "RS");
+}
+
+void check_texts(Checks& checks, BT::BehaviorTreeFactory& factory) {
+  BT::RegisterJsonDefinition<Speed>();
+  const auto speed = BT::convertFromString<Speed>(R"(json:{"linear": 0.5, "angular": -1})");
+  CHECK(speed.linear == 0.5 && speed.angular == -1);
+  CHECK(BT::JsonExporter::get().toJson(speed).dump() ==
+        R"({"__type":"Speed","angular":-1.0,"linear":0.5})");
+  CHECK(BT::convertFromString<std::vector<Speed>>(R"(json:[{"linear": 2, "angular": 0}])")
+            .at(0)
+            .linear == 2);
+  CHECK_THROWS(BT::RuntimeError, (void)BT::convertFromJSON<Speed>("{"));
+  CHECK_THROWS(BT::RuntimeError, (void)BT::convertFromJSON<Speed>(R"({"linear": 1})"));
+  CHECK(BT::StartWith("json:{}", "json:") && !BT::StartWith("js", "json:") &&
+        BT::StartWith("{a}", '{'));
+  const std::string model = BT::writeTreeNodesModelXML(factory);
+  CHECK(model.find("<Condition ID=\"IsOn\"/>") != std::string::npos);
+  CHECK(model.find("<input_port name=\"goal\" type=\"Goal\"/>") != std::string::npos);
+  CHECK(model.find("default=\"none\">a note</input_port>") != std::string::npos);
+  CHECK(model.find("Sequence") == std::string::npos);
 }
 
 void check_decorators(Checks& checks, BT::BehaviorTreeFactory& factory) {
@@ -182,8 +232,10 @@ void check_decorators(Checks& checks, BT::BehaviorTreeFactory& factory) {
   CHECK(answers(factory, "<ForceFailure><AlwaysSuccess/></ForceFailure>") == "F");
   CHECK(answers(factory, R"(<Repeat num_cycles="3"><Job name="a" ticks="1"/></Repeat>)") == "S" &&
         events.size() == 6);
-  CHECK(answers(factory, R"(<RetryUntilSuccessful num_attempts="2"><Job name="a" ticks="1" fails="1"/>
-    </RetryUntilSuccessful>)") == "F" && events.size() == 4);
+  CHECK(
+      answers(factory, R"(<RetryUntilSuccessful num_attempts="2"><Job name="a" ticks="1" fails="1"/>
+    </RetryUntilSuccessful>)") == "F" &&
+      events.size() == 4);
   CHECK(answers(factory, R"(<Timeout msec="0"><Job name="a" ticks="9"/></Timeout>)") == "RF" &&
         told() == "a starts, a is halted, ");
   factory.registerSimpleDecorator("Twice", [](NodeStatus status, BT::TreeNode&) { return status; });
@@ -231,6 +283,8 @@ int main(int argc, char* argv[]) {
   auto factory = make_factory();
   check_ports(checks, factory);
   check_controls(checks, factory);
+  check_reactive(checks, factory);
+  check_texts(checks, factory);
   check_decorators(checks, factory);
   check_subtrees(checks, factory);
   return checks.finish();

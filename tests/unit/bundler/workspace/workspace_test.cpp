@@ -242,6 +242,8 @@ TEST(ChannelRequest, OnlyNamesOfRosPackagesAreTakenForSuch) {
   EXPECT_EQ(spec("libyaml-cpp-dev"), "yaml-cpp");
   EXPECT_EQ(spec("liborocos-kdl-dev"), "orocos-kdl");
   EXPECT_EQ(spec("orocos_kdl"), "orocos-kdl");
+  EXPECT_EQ(spec("libboost-all-dev"), "libboost-headers");
+  EXPECT_EQ(spec("geographiclib >=2"), "geographiclib-cpp >=2");
   for (const std::string same :
        {"_openmp_mutex", "https://host/c/noarch/more-1.0-h_0.conda", "more-1.0-h_0.conda",
         "./here/noarch/more-1.0-h_0.tar.bz2", "./my_channel::lib", "numpy"})

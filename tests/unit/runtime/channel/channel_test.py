@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from . import ROOT
-from fingerprint import Compiler, package_keys, tree_digest
+from fingerprint import Compiler, debian_digest, package_keys, packer_digest, tree_digest
 from metadata import conda_name, record
 from package_source import PackageSource, find_packages, longest_first, needed_by
 from write_versions import page
@@ -42,6 +42,7 @@ class Scratch(unittest.TestCase):
     def keys(self) -> dict[str, str]:
         for name in ("recipe", "toolchain"):
             (self.root / name).mkdir(exist_ok=True)
+        (self.root / "recipe" / "stage.py").touch()
         packages = find_packages(self.root / "packages")
         return package_keys(packages, COMPILER, self.root / "recipe", self.root / "toolchain")
 
@@ -109,11 +110,29 @@ class Keys(Scratch):
         after = self.keys()
         self.assertEqual({name for name in before if before[name] != after[name]}, {"base", "user"})
 
-    def test_the_recipe_counts(self) -> None:
+    def test_how_trees_are_built_counts_and_how_they_are_described_does_not(self) -> None:
         self.add("base", package_xml("base"))
         before = self.keys()
-        (self.root / "recipe" / "more.py").write_text("", encoding="utf-8")
-        self.assertNotEqual(self.keys(), before)
+        (self.root / "recipe" / "metadata.py").write_text("more = 1", encoding="utf-8")
+        self.assertEqual(self.keys(), before)
+        seen = {before["base"]}
+        for number, file in enumerate(("recipe/stage.py", "toolchain/toolchain.cmake"), start=2):
+            (self.root / file).write_text("more = 1", encoding="utf-8")
+            seen.add(self.keys()["base"])
+            self.assertEqual(len(seen), number, file)
+
+    def test_how_packages_are_described_counts_for_archives(self) -> None:
+        recipe = self.root / "runtime" / "channel"
+        recipe.mkdir(parents=True)
+        (self.root / "bundler" / "archive").mkdir(parents=True)
+        digests = [packer_digest(self.root)]
+        for file in ("metadata.py", "package_source.py", "build_channel.py"):
+            (recipe / file).write_text(file, encoding="utf-8")
+            digests.append(packer_digest(self.root))
+        self.assertEqual(len(set(digests)), 4)
+        for file in ("stage.py", "write_versions.py"):
+            (recipe / file).write_text(file, encoding="utf-8")
+            self.assertEqual(packer_digest(self.root), digests[-1])
 
     def test_names_count_as_much_as_contents(self) -> None:
         one, two = self.root / "one", self.root / "two"
@@ -121,6 +140,24 @@ class Keys(Scratch):
             folder.mkdir()
             (folder / name).write_text("same", encoding="utf-8")
         self.assertNotEqual(tree_digest(one), tree_digest(two))
+
+    def test_a_single_file_counts_by_its_content(self) -> None:
+        header = self.root / "one.hpp"
+        header.write_text("int x;", encoding="utf-8")
+        before = tree_digest(header)
+        header.write_text("int y;", encoding="utf-8")
+        self.assertNotEqual(tree_digest(header), before)
+
+    def test_a_debian_package_counts_by_what_dpkg_says_of_its_files(self) -> None:
+        (self.root / "libone-dev-doc.md5sums").write_text("0  usr/share/doc/libone", encoding="utf-8")
+        with self.assertRaisesRegex(FileNotFoundError, "apt-get install libone-dev"):
+            debian_digest("libone-dev", self.root)
+        for name in ("libone-dev.md5sums", "libone-dev:amd64.md5sums"):
+            file = self.root / name
+            file.write_text("1  usr/include/one.hpp", encoding="utf-8")
+            before = debian_digest("libone-dev", self.root)
+            file.write_text("2  usr/include/one.hpp", encoding="utf-8")
+            self.assertNotEqual(debian_digest("libone-dev", self.root), before)
 
 
 class Record(Scratch):
@@ -154,6 +191,10 @@ class Record(Scratch):
         self.assertEqual(record(library, {}, self.root / "tree", COMPILER)["name"], "yaml-cpp")
 
 
+def debian_version(package: str) -> str:
+    return subprocess.check_output(["dpkg-query", "-W", "-f=${Version}", package], text=True)
+
+
 def version_of(folder: Path) -> str:
     """The version of the npm or Debian package that a folder is from, of the latter installed or its source."""
     if "node_modules" in folder.parts:
@@ -169,7 +210,7 @@ def version_of(folder: Path) -> str:
     if folder.parent.name == "sources":  # without Debian's part, as ./dev fetches some
         return (folder / "CMakeLists.txt").read_text(encoding="utf-8").partition("VERSION")[2]
     owner = subprocess.check_output(["dpkg-query", "-S", str(folder)], text=True).split(":")[0]
-    return subprocess.check_output(["dpkg-query", "-W", "-f=${Version}", owner], text=True)
+    return debian_version(owner)
 
 
 class Repository(unittest.TestCase):
@@ -181,13 +222,14 @@ class Repository(unittest.TestCase):
         for name, package in find_packages(ROOT / "runtime" / "packages").items():
             with self.subTest(name):
                 # A package of ROS has the version of ROS, whosever files are in it.
-                if name in table or not package.host_folders:
+                if name in table or not (package.host_folders or package.host_packages):
                     self.assertEqual(package.version, table[name]["version"] if name in table else own)
                     continue
                 # Libraries that are built into the first one have versions of their own.
                 folders = package.host_folders[:1] if name == "mujoco" else package.host_folders
-                for folder in folders:
-                    self.assertIn(package.version, version_of(Path(folder)))
+                said = [*(version_of(Path(folder)) for folder in folders), *map(debian_version, package.host_packages)]
+                for version in said:
+                    self.assertIn(package.version, version)
 
     def test_the_page_of_versions_is_current(self) -> None:
         table = json.loads((ROOT / "runtime" / "versions.json").read_text(encoding="utf-8"))

@@ -234,6 +234,16 @@ Time operator+(const Duration& lhs, const Time& rhs) {
   return rhs + lhs;
 }
 
+builtin_interfaces::msg::Time operator+(const builtin_interfaces::msg::Time& lhs,
+                                        const Duration& rhs) {
+  return Time(lhs) + rhs;
+}
+
+builtin_interfaces::msg::Time operator-(const builtin_interfaces::msg::Time& lhs,
+                                        const Duration& rhs) {
+  return Time(lhs) - rhs;
+}
+
 builtin_interfaces::msg::Time convert_rcl_time_to_sec_nanos(rcl_time_point_value_t nanoseconds) {
   return to_message<builtin_interfaces::msg::Time>(nanoseconds);
 }

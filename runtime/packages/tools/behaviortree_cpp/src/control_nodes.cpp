@@ -47,7 +47,13 @@ void InTurn::halt() {
   ControlNode::halt();
 }
 
+void Reactive::halt() {
+  running_ = nullptr;
+  ControlNode::halt();
+}
+
 NodeStatus Reactive::tick() {
+  if (status() == NodeStatus::IDLE) running_ = nullptr;
   setStatus(NodeStatus::RUNNING);
   std::size_t skipped = 0;
   for (std::size_t i = 0; i < childrenCount(); ++i) {
@@ -58,6 +64,12 @@ NodeStatus Reactive::tick() {
         if (other == i) continue;
         if (children_nodes_[other]->status() == NodeStatus::RUNNING) haltChild(other);
         children_nodes_[other]->resetStatus();
+      }
+      if (running_ == nullptr) running_ = children_nodes_[i];
+      if (throws_ && running_ != children_nodes_[i]) {
+        throw LogicError("[" + registrationName() + "]: only a single child can return RUNNING.\n" +
+                         "This throw can be disabled with " + registrationName() +
+                         "::EnableException(false)");
       }
       return answer;
     }

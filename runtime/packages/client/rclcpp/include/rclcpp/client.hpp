@@ -20,6 +20,7 @@
 #include "rclcpp/detail/message_type.hpp"
 #include "rclcpp/detail/service_events.hpp"
 #include "rclcpp/exceptions.hpp"
+#include "rclcpp/logging.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/qos.hpp"
 #include "rmw/types.h"

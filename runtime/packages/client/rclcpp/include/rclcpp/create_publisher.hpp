@@ -1,4 +1,4 @@
-// create_publisher for a node or its topics interface.
+// create_publisher for a node or its interfaces.
 #pragma once
 
 #include <memory>
@@ -26,6 +26,18 @@ std::shared_ptr<PublisherT> create_publisher(
       options);
   topics->add_publisher(publisher, options.callback_group);
   return publisher;
+}
+
+template <typename MessageT, typename AllocatorT = std::allocator<void>,
+          typename PublisherT = rclcpp::Publisher<MessageT, AllocatorT>>
+std::shared_ptr<PublisherT> create_publisher(
+    const rclcpp::node_interfaces::NodeParametersInterface::SharedPtr& node_parameters,
+    const rclcpp::node_interfaces::NodeTopicsInterface::SharedPtr& node_topics,
+    const std::string& topic_name, const rclcpp::QoS& qos,
+    const rclcpp::PublisherOptionsWithAllocator<AllocatorT>& options =
+        rclcpp::PublisherOptionsWithAllocator<AllocatorT>()) {
+  return create_publisher<MessageT, AllocatorT, PublisherT>(
+      detail::InterfacesOfNode{node_parameters, node_topics}, topic_name, qos, options);
 }
 
 }  // namespace rclcpp

@@ -1,4 +1,4 @@
-// create_subscription for a node or its topics interface.
+// create_subscription for a node or its interfaces.
 #pragma once
 
 #include <memory>
@@ -34,6 +34,21 @@ std::shared_ptr<SubscriptionT> create_subscription(
   detail::add_topic_statistics(*subscription, options, *topics);
   topics->add_subscription(subscription, options.callback_group);
   return subscription;
+}
+
+template <typename MessageT, typename CallbackT, typename AllocatorT = std::allocator<void>,
+          typename SubscriptionT = rclcpp::Subscription<MessageT, AllocatorT>,
+          typename MessageMemoryStrategyT = typename SubscriptionT::MessageMemoryStrategyType>
+std::shared_ptr<SubscriptionT> create_subscription(
+    const rclcpp::node_interfaces::NodeParametersInterface::SharedPtr& node_parameters,
+    const rclcpp::node_interfaces::NodeTopicsInterface::SharedPtr& node_topics,
+    const std::string& topic_name, const rclcpp::QoS& qos, CallbackT&& callback,
+    const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT>& options =
+        rclcpp::SubscriptionOptionsWithAllocator<AllocatorT>(),
+    typename MessageMemoryStrategyT::SharedPtr strategy = nullptr) {
+  return create_subscription<MessageT, CallbackT, AllocatorT, SubscriptionT>(
+      detail::InterfacesOfNode{node_parameters, node_topics}, topic_name, qos,
+      std::forward<CallbackT>(callback), options, strategy);
 }
 
 }  // namespace rclcpp

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "builtin_interfaces/msg/duration.hpp"
+#include "builtin_interfaces/msg/time.hpp"
 #include "rcl/time.h"
 #include "rclcpp/visibility_control.hpp"
 #include "rmw/time.h"
@@ -55,5 +56,11 @@ class Duration {
   Duration() = default;
   rcl_duration_value_t nanoseconds_ = 0;
 };
+
+/// Throws std::runtime_error for a time before 1970, std::overflow_error and std::underflow_error.
+builtin_interfaces::msg::Time operator+(const builtin_interfaces::msg::Time& lhs,
+                                        const Duration& rhs);
+builtin_interfaces::msg::Time operator-(const builtin_interfaces::msg::Time& lhs,
+                                        const Duration& rhs);
 
 }  // namespace rclcpp

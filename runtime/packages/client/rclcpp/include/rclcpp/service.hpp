@@ -14,6 +14,7 @@
 #include "rclcpp/detail/known_services.hpp"
 #include "rclcpp/detail/message_type.hpp"
 #include "rclcpp/detail/service_events.hpp"
+#include "rclcpp/logging.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/qos.hpp"
 #include "rmw/types.h"

@@ -56,9 +56,24 @@ struct AnyTypeAllowed {};
 
 // --- texts ------------------------------------------------------------------------------------
 
-/// User code specialises it for its own types.
+[[nodiscard]] inline bool StartWith(StringView str, StringView prefix) {
+  return str.substr(0, prefix.size()) == prefix;
+}
+[[nodiscard]] inline bool StartWith(StringView str, char prefix) {
+  return !str.empty() && str.front() == prefix;
+}
+
+/// By a converter of JsonExporter. Throws RuntimeError when there is none or the text does not fit.
+[[nodiscard]] Any convertFromJSON(StringView json_text, std::type_index type);
 template <typename T>
-[[nodiscard]] inline T convertFromString(StringView /*str*/) {
+[[nodiscard]] inline T convertFromJSON(StringView str) {
+  return convertFromJSON(str, typeid(T)).template cast<T>();
+}
+
+/// User code specialises it for its own types. A text with `json:` before is read as JSON.
+template <typename T>
+[[nodiscard]] inline T convertFromString(StringView str) {
+  if (StartWith(str, "json:")) return convertFromJSON<T>(str.substr(5));
   throw LogicError(
       "You didn't implement the template specialization of convertFromString for this type: " +
       demangle(typeid(T)));
@@ -142,15 +157,23 @@ template <typename T>
 
 // --- ports ------------------------------------------------------------------------------------
 
-class PortInfo {
+class TypeInfo {
+ public:
+  explicit TypeInfo(std::type_index type = typeid(AnyTypeAllowed)) : type_(type) {}
+  [[nodiscard]] const std::type_index& type() const { return type_; }
+  [[nodiscard]] std::string typeName() const { return demangle(type_); }
+
+ private:
+  std::type_index type_;
+};
+
+class PortInfo : public TypeInfo {
  public:
   explicit PortInfo(PortDirection direction = PortDirection::INOUT,
                     std::type_index type = typeid(AnyTypeAllowed))
-      : direction_(direction), type_(type) {}
+      : TypeInfo(type), direction_(direction) {}
 
   [[nodiscard]] PortDirection direction() const { return direction_; }
-  [[nodiscard]] const std::type_index& type() const { return type_; }
-  [[nodiscard]] std::string typeName() const { return demangle(type_); }
   [[nodiscard]] const std::string& description() const { return description_; }
   void setDescription(StringView description) { description_ = description; }
   /// Empty when there is none.
@@ -162,7 +185,6 @@ class PortInfo {
 
  private:
   PortDirection direction_;
-  std::type_index type_;
   std::string description_;
   Any default_;
 };

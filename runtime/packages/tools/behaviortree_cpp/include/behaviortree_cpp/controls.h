@@ -45,20 +45,35 @@ class FallbackNode : public InTurn {
 /// As Sequence and Fallback, but from the first child at each tick.
 class Reactive : public ControlNode {
  public:
-  Reactive(const std::string& name, NodeStatus goes_on) : ControlNode(name), goes_on_(goes_on) {}
+  /// `throws`: whether it is an error that another child runs than before.
+  Reactive(const std::string& name, NodeStatus goes_on, const bool& throws)
+      : ControlNode(name), goes_on_(goes_on), throws_(throws) {}
+  void halt() override;
 
  private:
   NodeStatus tick() override;
 
   NodeStatus goes_on_;
+  const bool& throws_;
+  const TreeNode* running_ = nullptr;  ///< the child that ran first since the node began
 };
 class ReactiveSequence : public Reactive {
  public:
-  explicit ReactiveSequence(const std::string& name) : Reactive(name, NodeStatus::SUCCESS) {}
+  explicit ReactiveSequence(const std::string& name)
+      : Reactive(name, NodeStatus::SUCCESS, throws) {}
+  static void EnableException(bool enable) { throws = enable; }
+
+ private:
+  static inline bool throws = false;
 };
 class ReactiveFallback : public Reactive {
  public:
-  explicit ReactiveFallback(const std::string& name) : Reactive(name, NodeStatus::FAILURE) {}
+  explicit ReactiveFallback(const std::string& name)
+      : Reactive(name, NodeStatus::FAILURE, throws) {}
+  static void EnableException(bool enable) { throws = enable; }
+
+ private:
+  static inline bool throws = false;
 };
 
 /// All children at each tick, until so many have succeeded or failed. Thresholds below 0 count from

@@ -6,10 +6,20 @@
 #include <type_traits>
 
 #include "rclcpp/detail/qos_parameters.hpp"
+#include "rclcpp/node_interfaces/node_parameters_interface.hpp"
 #include "rclcpp/node_interfaces/node_topics_interface.hpp"
 
 namespace rclcpp {
 namespace detail {
+
+/// Publishers and subscriptions need no more of a node than this.
+struct InterfacesOfNode {
+  node_interfaces::NodeParametersInterface::SharedPtr parameters;
+  node_interfaces::NodeTopicsInterface::SharedPtr topics;
+
+  auto get_node_parameters_interface() const { return parameters; }
+  auto get_node_topics_interface() const { return topics; }
+};
 
 template <typename NodeT, typename = void>
 struct HasParameters : std::false_type {};

@@ -6,7 +6,7 @@ from typing import Any
 
 from PIL import Image
 
-from tests.unit.ros2wasm_figures.figure_bus import FigureTest
+from tests.figures.figure_bus import FigureTest
 
 
 class PanelEventsTest(FigureTest):

@@ -12,7 +12,7 @@ import matplotlib
 from PIL import Image
 
 from tests.unit.rclpy.notebook_test import KernelTest
-from tests.unit.ros2wasm_figures.figure_bus import FigureTest
+from tests.figures.figure_bus import FigureTest
 
 SETUP = "import matplotlib.pyplot as plt\nplt.switch_backend(__import__('os').environ['MPLBACKEND'])"
 

@@ -8,7 +8,7 @@ from unittest import mock
 import PIL
 from PIL import Image
 
-from tests.unit.ros2wasm_figures.figure_bus import FigureTest
+from tests.figures.figure_bus import FigureTest
 
 
 class PillowTest(FigureTest):

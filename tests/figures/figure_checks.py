@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy
 
-from tests.unit.ros2wasm_figures.figure_bus import BACKEND, FigureTest
+from tests.figures.figure_bus import BACKEND, FigureTest
 
 PNG = b'\x89PNG\r\n\x1a\n'
 

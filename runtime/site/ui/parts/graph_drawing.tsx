@@ -193,7 +193,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
                     <g
                       key={line.name}
                       class="graph-words"
-                      aria-label={words}
+                      aria-label={withLabel(words, line.label)}
                       {...item(`${wire.id} ${line.name}`, boxId(line.kind, line.name), { x: at.x, y, width: 80, height: LINE })}
                     >
                       <title>{words}</title>
@@ -230,6 +230,11 @@ function wordsOf({ kind, name }: { readonly kind: Box['kind']; readonly name: st
   return viewTexts.graph.item[kind](name) + (rate === '' ? '' : `, ${rate}`);
 }
 
+/** The words for who does not see the drawing, with its text: people who speak to their browser say what they read. */
+function withLabel(words: string, label: string): string {
+  return words.includes(label) ? words : `${words} ${label}`;
+}
+
 interface BoxShapeProps {
   readonly box: Box;
   readonly place: Place;
@@ -239,7 +244,7 @@ interface BoxShapeProps {
 
 function BoxShape({ box, place, words, props }: BoxShapeProps) {
   return (
-    <g class={`graph-box graph-${box.kind}`} aria-label={words} {...props}>
+    <g class={`graph-box graph-${box.kind}`} aria-label={withLabel(words, box.label)} {...props}>
       <title>{words}</title>
       <rect {...corner(place)} rx={box.kind === 'node' ? place.height / 2 : 3} />
       <text x={place.x} y={place.y + 4.5}>

@@ -62,8 +62,15 @@ const rows = [
 ];
 
 const shared = {
-  absWorkingDir: root, bundle: true, minify: true, charset: 'utf8', legalComments: 'none', logLevel: 'warning',
-  jsx: 'automatic', jsxImportSource: 'preact', target: 'es2022',
+  absWorkingDir: root,
+  bundle: true,
+  minify: true,
+  charset: 'utf8',
+  legalComments: 'none',
+  logLevel: 'warning',
+  jsx: 'automatic',
+  jsxImportSource: 'preact',
+  target: 'es2022',
 };
 
 const options = {
@@ -71,7 +78,9 @@ const options = {
   classic: { format: 'iife', platform: 'browser' },
   style: {},
   node: {
-    format: 'esm', platform: 'node', target: 'node26',
+    format: 'esm',
+    platform: 'node',
+    target: 'node26',
     // The browser modules of yaml: its build for Node.js calls require(), which ES modules do not have.
     alias: { yaml: join(root, 'node_modules/yaml/browser/index.js') },
   },
@@ -176,7 +185,12 @@ async function buildShared({ file, from }, out) {
 /** Its policy is that of index.html, with what only this page can make in place of what the host has. */
 async function buildCarried({ file, from }, out) {
   const { outputFiles, metafile } = await build({
-    ...shared, ...options.classic, entryPoints: [from], outdir: out, write: false, metafile: true,
+    ...shared,
+    ...options.classic,
+    entryPoints: [from],
+    outdir: out,
+    write: false,
+    metafile: true,
     plugins: translated,
   });
   takeInputs(metafile);

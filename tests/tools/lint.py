@@ -124,7 +124,7 @@ def checks() -> dict[str, object]:
     shell = ["dev", ".ci/run", *tracked(".sh")]
     return {
         "format": lambda: run("clang-format", "--dry-run", "--Werror", *native_files()),
-        "typescript": lambda: run("node_modules/.bin/dprint", "check"),
+        "typescript": lambda: run("node", "tests/tools/format.ts", "check"),
         "layers": lambda: run(sys.executable, "tests/tools/layers.py"),
         "files": lambda: run(sys.executable, "tests/tools/file_calls.py"),
         "house": house_rules,
@@ -151,7 +151,7 @@ def main() -> int:
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
     if options.fix:
-        commands = (["clang-format", "-i", *native_files()], ["node_modules/.bin/dprint", "fmt"])
+        commands = (["clang-format", "-i", *native_files()], ["node", "tests/tools/format.ts", "fix"])
         return max(subprocess.run(command, cwd=ROOT, check=False).returncode for command in commands)
     failed = 0
     rows = {name: check for name, check in checks().items() if not options.names or name in options.names}

@@ -97,7 +97,7 @@ def steps(build: Path, changed: list[str]) -> list[tuple[str, Callable[[], str |
         rows.append(("format", lambda: lint.run("clang-format", "--dry-run", "--Werror", *native)))
     scripted = [name for name in changed if name.endswith((".ts", ".tsx", ".mjs"))]
     if scripted:
-        rows.append(("typescript", lambda: lint.run("node_modules/.bin/dprint", "check", *scripted)))
+        rows.append(("typescript", lambda: lint.run("node", "tests/tools/format.ts", "check", *scripted)))
         rows.append(("types", every["types"]))
     if any(name.startswith("runtime/protocol/") for name in changed):
         rows.append(("constants", every["constants"]))

@@ -11,7 +11,8 @@ import { existsSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { PackWorkspace, finished } from '../support/pack_workspace.ts';
 
-const HEAD = (name: string, format: number): string => `<?xml version="1.0"?>
+const HEAD = (name: string, format: number): string =>
+  `<?xml version="1.0"?>
 <package format="${String(format)}">
   <name>${name}</name>
   <version>0.1.0</version>
@@ -147,7 +148,7 @@ test('a C++ node built by ament_cmake_auto and a Python node talk in messages of
 test('what ament_auto_package installs is there', async () => {
   const built = await workspace.run(['build', '--json']);
   assert.equal(built.code, 0, built.stderr);
-  const packages = JSON.parse(built.stdout) as readonly { package: string; prefix: string }[];
+  const packages = JSON.parse(built.stdout) as readonly { package: string; prefix: string; }[];
   const prefix = packages.find((one) => one.package === 'a_tank')?.prefix ?? '';
   for (const path of ['share/a_tank/config/tank.yaml', 'lib/libfilling.a', 'lib/a_tank/tank.wasm'])
     assert.ok(existsSync(`${prefix}/${path}`), path);

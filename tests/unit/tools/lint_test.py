@@ -1,6 +1,7 @@
 """The house rules find what is planted in a file."""
 from __future__ import annotations
 
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -18,6 +19,23 @@ def problems(suffix: str, text: str) -> str:
 
 def function(lines: int) -> str:
     return "export function grow(): void {\n" + "  grow();\n" * lines + "}\n"
+
+
+class FormatTest(unittest.TestCase):
+    def test_a_planted_fault_is_found_and_mended(self) -> None:
+        with tempfile.NamedTemporaryFile("w+", suffix=".ts", dir=ROOT / "runtime/site/bus", prefix="planted_") as file:
+            file.write('export const one="1" ;\n')
+            file.flush()
+            name = Path(file.name).relative_to(ROOT).as_posix()
+
+            def run(mode: str) -> subprocess.CompletedProcess[str]:
+                command = ["node", "tests/tools/format.ts", mode, name]
+                return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+
+            self.assertEqual((run("check").returncode, run("check").stdout), (1, f"{name}: not formatted (./dev fmt)\n"))
+            self.assertEqual(run("fix").returncode, 0)
+            self.assertEqual(Path(file.name).read_text(encoding="utf-8"), "export const one = '1';\n")
+            self.assertEqual(run("check").returncode, 0)
 
 
 class HouseRulesTest(unittest.TestCase):

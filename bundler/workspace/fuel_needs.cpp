@@ -27,6 +27,12 @@ constexpr std::array<std::string_view, 7> kXmlEndings{".sdf",   ".world",  ".mod
                                                       ".xacro", ".launch", ".xml"};
 constexpr std::array<std::string_view, 3> kTextEndings{".py", ".yaml", ".yml"};
 
+/// Most files name none, and need not be parsed.
+bool names_a_host(std::string_view text) {
+  return text.find("gazebosim.org/") != std::string_view::npos ||
+         text.find("ignitionrobotics.org/") != std::string_view::npos;
+}
+
 template <typename Endings>
 bool is_one_of(const Endings& endings, std::string_view ending) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
@@ -59,7 +65,7 @@ class Finder {
     if (!is_xml && !is_one_of(kTextEndings, ending)) return;
     if (++files_ > kMostFilesOfNeeds) return;
     auto text = read_file(file, kMostOfText);
-    if (!text || text->find("://") == std::string::npos) return;
+    if (!text || !names_a_host(*text)) return;
     file_ = file;
     shown_ = shown;
     text_ = *std::move(text);

@@ -34,7 +34,7 @@ export type LaunchStep =
   & (
     | { readonly do: 'log'; readonly level: string; readonly text: string; }
     | { readonly do: 'shutdown'; readonly reason: string; }
-    /** The node with that id is told to end. */
+    /** Asks the node with this id to end. */
     | { readonly do: 'end'; readonly node: string; }
     /** Transitions of the managed node with that id and full name, in this order; the numbers are of lifecycle_msgs/msg/Transition. */
     | { readonly do: 'transition'; readonly node: string; readonly name: string; readonly transitions: readonly number[]; }

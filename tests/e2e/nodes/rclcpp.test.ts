@@ -73,10 +73,10 @@ test('a managed node is led through its life on both links', { timeout: 500_000 
 
 for (
   const { title, name, programs } of [
-    { title: 'transforms are told, kept and found', name: 'tf2_checks', programs: ['buffer', 'broadcaster', 'listener'] },
+    { title: 'transforms are published, stored and found', name: 'tf2_checks', programs: ['buffer', 'broadcaster', 'listener'] },
     { title: 'share files are read and own files written', name: 'file_checks', programs: ['share', 'own_files'] },
     {
-      title: 'who waits is told of messages, requests and events; waitables, wait sets and executors of events run',
+      title: 'waits end with messages, requests and events; waitables, wait sets and executors of events run',
       name: 'rclcpp_events_checks',
       programs: ['told', 'waitables', 'wait_sets', 'events_executor'],
     },

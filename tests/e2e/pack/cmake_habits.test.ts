@@ -14,7 +14,7 @@
 // Compatibility, cannot: libraries of the machine that builds (`/usr/lib`) -> R2W0519 or a warning that the program which links one
 // is skipped; the channel's are found by their names
 //
-// Compatibility, cannot: type support of C messages (`ROSIDL_GET_MSG_TYPE_SUPPORT` in C) -> the linker (R2W0504), as there is no rclc;
+// Compatibility, cannot: type support of C messages (`ROSIDL_GET_MSG_TYPE_SUPPORT` in C) -> the linker (R2W0504), because sites have no rclc;
 // publish the C++ message
 import assert from 'node:assert/strict';
 import { existsSync, globSync } from 'node:fs';

@@ -66,7 +66,7 @@ const wanted: Readonly<Record<string, RegExp>> = {
   'a goal is cancelled while it sleeps': /^\[errands-6\] cancelled 1 5$/,
   'a node is configured, activated, deactivated, and its error handled':
     /^\[life-7\] managed \[True, False, True, True, False\] \['shines'\] \['white', 'red'\]$/,
-  'its transitions are told': /^\[life-7\] states configuring inactive activating active deactivating inactive cleaningup errorprocessing unconfigured$/,
+  'its transitions are published': /^\[life-7\] states configuring inactive activating active deactivating inactive cleaningup errorprocessing unconfigured$/,
   'calls of a service are told': /^\[life-7\] calls \[\(0, 1\), \(3, 0\)\]$/,
   'messages become bytes and come back': /^\[life-7\] bytes bytes$/,
   'one message is waited for': /^\[life-7\] waited True$/,

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TopicView } from '../../../runtime/site/contract/session.ts';
-import { fileName, NO_FIGURE, modifiersOf, pixelIn, placeIn, pressCounter, readFigureControls } from '../../../runtime/site/ui/model/figure_controls.ts';
+import { pngName, NO_FIGURE, modifiersOf, pixelIn, placeIn, pressCounter, readFigureControls } from '../../../runtime/site/ui/model/figure_controls.ts';
 import { figuresOf, isFigure } from '../../../runtime/site/ui/model/figure_topics.ts';
 
 const topic = (name: string, type: string, publishers: number) => ({ name, type, publishers }) as TopicView;
@@ -46,7 +46,7 @@ test('two presses at one place within a moment are a double one, three are one a
 
 test('modifiers and names of files', () => {
   assert.deepEqual(modifiersOf({ ctrlKey: true, altKey: false, shiftKey: true, metaKey: true }), ['ctrl', 'shift', 'super']);
-  assert.deepEqual(['Figure_1.png', '../../a/b', '.bashrc', '', 'Odometry plot', 'x.PNG'].map(fileName), [
+  assert.deepEqual(['Figure_1.png', '../../a/b', '.bashrc', '', 'Odometry plot', 'x.PNG'].map(pngName), [
     'Figure_1.png',
     '_.._a_b.png',
     'bashrc.png',

@@ -100,7 +100,7 @@ export function pressCounter(): (button: number, at: Point, milliseconds: number
 }
 
 /** Makes a safe name for a downloaded file. */
-export function fileName(name: string): string {
+export function pngName(name: string): string {
   const plain = name.replace(/[^\w.\- ]/g, '_').replace(/^\.+/, '').slice(0, 100);
   return plain.toLowerCase().endsWith('.png') ? plain : `${plain === '' ? 'figure' : plain}.png`;
 }

@@ -1,7 +1,7 @@
 // A window of a Python library: a figure of matplotlib with its toolbar, or a picture of Pillow. State: {topic, fill}.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { fileName, NO_FIGURE, readFigureControls } from '../model/figure_controls.ts';
+import { pngName, NO_FIGURE, readFigureControls } from '../model/figure_controls.ts';
 import { figuresOf, isFigure } from '../model/figure_topics.ts';
 import type { Size } from '../model/graph_layout.ts';
 import { flagMember, textMember } from '../model/json.ts';
@@ -54,7 +54,7 @@ export function FigurePanel({ session, state, setState, announce }: PanelProps) 
       const data = (decoded.value as Readonly<Record<string, unknown>>)['data'];
       if (!(data instanceof Uint8Array) || data.length > MOST_FILE) return;
       const header = (decoded.value as Readonly<Record<string, unknown>>)['header'];
-      download(fileName(textMember(header, 'frame_id')), new Blob([Uint8Array.from(data)], { type: 'image/png' }));
+      download(pngName(textMember(header, 'frame_id')), new Blob([Uint8Array.from(data)], { type: 'image/png' }));
       announce(figureTexts.saved);
     });
     return () => {

@@ -134,7 +134,8 @@ void Image::write(int x, int y, unsigned int columns, unsigned int rows, const s
 
 std::size_t Image::index(unsigned int x, unsigned int y) const {
   if (x >= columns() || y >= rows()) {
-    throw ErrorOption("Magick: there is no pixel " + std::to_string(x) + "," + std::to_string(y));
+    throw ErrorOption("Magick: the pixel " + std::to_string(x) + "," + std::to_string(y) +
+                      " is outside of the image");
   }
   return std::size_t{y} * columns() + x;
 }

@@ -9,7 +9,11 @@
 /* Steps of 100 ns from 1582-10-15, where these clocks begin, to 1970. */
 static const uint64_t kStepsToEpoch = 0x01B21DD213814000ULL;
 static const uint64_t kStepsPerSecond = 10000000;
-static const char kForm[] = "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx";
+
+/* Texts have 8, 4, 4, 4 and 12 digits. */
+static int is_hyphen(int at) {
+  return at == 8 || at == 13 || at == 18 || at == 23;
+}
 
 void uuid_clear(uuid_t uu) {
   memset(uu, 0, sizeof(uuid_t));
@@ -92,7 +96,7 @@ int uuid_parse(const char* in, uuid_t uu) {
   uuid_t parsed = {0};
   if (strlen(in) != UUID_STR_LEN - 1) return -1;
   for (int at = 0, digit = 0; at < UUID_STR_LEN - 1; ++at) {
-    if (kForm[at] == '-') {
+    if (is_hyphen(at)) {
       if (in[at] != '-') return -1;
       continue;
     }
@@ -107,7 +111,7 @@ int uuid_parse(const char* in, uuid_t uu) {
 
 static void unparse(const uuid_t uu, char* out, const char* digits) {
   for (int at = 0, digit = 0; at < UUID_STR_LEN - 1; ++at) {
-    if (kForm[at] == '-') {
+    if (is_hyphen(at)) {
       out[at] = '-';
       continue;
     }

@@ -151,7 +151,7 @@ class TestPicture:
 
 
 def open_camera(number):
-    """Returns None if the visitor refuses, or there is no camera."""
+    """Returns None if the visitor refuses or no camera is available."""
     if not has_page():
         return TestPicture(number)
     camera = PageCamera(number)

@@ -82,11 +82,21 @@ std::vector<std::string> list(const std::string& folder) {
   return files;
 }
 
-/// `file` of the last version below `model`: the newest one, if that was fetched.
+/// Folders of versions of one model: numbers, and `tip` for the newest one.
+bool is_newer(const std::string& one, const std::string& other) {
+  const auto is_tip = [](const std::string& folder) {
+    return fs::path(folder).filename() == "tip";
+  };
+  if (is_tip(one) != is_tip(other)) return is_tip(one);
+  return one.size() != other.size() ? one.size() > other.size() : one > other;
+}
+
+/// `file` of the newest version below `model` that has it.
 std::optional<std::string> in_some_version(const std::string& model, const std::string& file) {
-  const std::vector<std::string> versions = list(model);
-  for (auto version = versions.rbegin(); version != versions.rend(); ++version)
-    if (exists(*version + file)) return *version + file;
+  std::vector<std::string> versions = list(model);
+  std::sort(versions.begin(), versions.end(), is_newer);
+  for (const std::string& version : versions)
+    if (exists(version + file)) return version + file;
   return std::nullopt;
 }
 

@@ -32,7 +32,8 @@ class FormatTest(unittest.TestCase):
                 command = ["node", "tests/tools/format.ts", mode, name]
                 return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
 
-            self.assertEqual((run("check").returncode, run("check").stdout), (1, f"{name}: not formatted (./dev fmt)\n"))
+            found = run("check")
+            self.assertEqual((found.returncode, found.stdout), (1, f"{name}: not formatted (./dev fmt)\n"))
             self.assertEqual(run("fix").returncode, 0)
             self.assertEqual(Path(file.name).read_text(encoding="utf-8"), "export const one = '1';\n")
             self.assertEqual(run("check").returncode, 0)

@@ -86,7 +86,7 @@ interface Made {
   readonly casts: boolean;
 }
 
-/** null: it is none, or does not shine. */
+/** null: the marker is not a light, or does not shine. */
 function lightOf(marker: unknown): Made | null {
   const pose = readPose(member(marker, 'pose'));
   const scale = readVector(member(marker, 'scale'));

@@ -72,7 +72,7 @@ export class PageStage {
     });
     const page = await context.newPage();
     const troubles: string[] = [];
-    page.setDefaultTimeout(120_000);
+    page.setDefaultTimeout(60_000);
     page.on('console', (message) => {
       if (message.type() === 'error' || message.type() === 'warning') troubles.push(message.text());
     });

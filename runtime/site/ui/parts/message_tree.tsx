@@ -207,7 +207,7 @@ function Leaf({
         raw={raw}
       />
       {!changed || before === undefined || typeof before === 'object' ? null : (
-        <span class="tree-was">{change.was(formatScalar(before, WAS_LENGTH, '', isFloat(field)))}</span>
+        <span class="tree-was">{` ${change.was(formatScalar(before, WAS_LENGTH, '', isFloat(field)))}`}</span>
       )}
     </div>
   );

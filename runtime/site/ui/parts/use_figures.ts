@@ -25,9 +25,11 @@ export function useFigures(session: Session, wanted: boolean, tabs: readonly Pan
   }, [session, wanted]);
   useEffect(() => {
     const now = tabs.filter(({ panel }) => panel === PANEL).map(({ state }) => textMember(state, 'topic'));
-    const alive = figuresOf(session.topics());
-    for (const topic of shown.current) if (!now.includes(topic) && alive.includes(topic)) void close(session, topic);
+    const closed = shown.current.filter((topic) => !now.includes(topic));
     shown.current = now;
+    if (closed.length === 0) return;
+    const alive = figuresOf(session.topics());
+    for (const topic of closed) if (alive.includes(topic)) void close(session, topic);
   }, [session, tabs]);
 }
 

@@ -75,7 +75,7 @@ const SHOWN: Readonly<Record<Id, Shown>> = {
     seen: (panel) => text(panel, "'lab'"),
   },
   nodes: {
-    seen: (panel) => text(panel, /\d+ of 9 running|Running/),
+    seen: (panel) => text(panel, /\d+ of 12 running|Running/),
   },
   console: { seen: (panel) => text(panel, /Driving to|Goal reached/) },
   topics: {

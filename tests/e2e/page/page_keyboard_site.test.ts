@@ -132,15 +132,15 @@ async function open(title: string, field: string, focused = title): Promise<void
 test('from the address bar to the last node stopped, without a pointer', watchdog, async () => {
   await page.goto(server.url);
   await page.locator('.page').waitFor();
-  await page.getByText('9 of 9 running').waitFor();
+  await page.getByText('11 of 12 running').waitFor();
   assert.equal(await press('Tab'), 'Skip to the consoles');
 
   await tabTo('Stop all');
   await press('Enter');
-  await page.getByText('0 of 9 running').waitFor();
+  await page.getByText('0 of 12 running').waitFor();
   await tabTo('Start all', 'Shift+Tab');
   await press('Enter');
-  await page.getByText('9 of 9 running').waitFor();
+  await page.getByText('11 of 12 running').waitFor();
 
   // A panel, beside the others, and back among them.
   await open('Publish', 'Topic');
@@ -195,6 +195,6 @@ test('from the address bar to the last node stopped, without a pointer', watchdo
 
   await tabTo('Stop all');
   await press('Enter');
-  await page.getByText('0 of 9 running').waitFor();
+  await page.getByText('0 of 12 running').waitFor();
   assert.equal((await focus()).name, 'Stop all');
 });

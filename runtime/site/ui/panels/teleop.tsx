@@ -11,6 +11,7 @@ import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useLetGo } from '../parts/use_let_go.ts';
 import { TwistSender } from '../parts/twist_sender.ts';
+import { useGamepadWish } from '../parts/use_gamepad_wish.ts';
 import { useGraph } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
@@ -99,7 +100,9 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     tell();
   }, [session, codec, topic, stamped, frame, linear, angular, rate]);
   useLetGo(release);
-  const pad = useGamepad(usesPad, (stick) => hold('gamepad', stick));
+  /** A node drives by the gamepad: two would disagree. */
+  const isForNode = useGamepadWish(session);
+  const pad = useGamepad(usesPad && !isForNode, (stick) => hold('gamepad', stick));
 
   const open = (): void => {
     sender.current?.open();
@@ -170,11 +173,22 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
             <input type="checkbox" checked={stamped} onChange={(event) => change({ stamped: event.currentTarget.checked })} />
             {panelTexts.teleop.stamped}
           </label>
-          <label class="check">
-            <input type="checkbox" checked={usesPad} onChange={(event) => change({ gamepad: event.currentTarget.checked })} />
-            {pad === '' ? panelTexts.teleop.gamepad : panelTexts.teleop.gamepadOf(pad)}
-          </label>
+          {isForNode
+            ? null
+            : (
+              <label class="check">
+                <input type="checkbox" checked={usesPad} onChange={(event) => change({ gamepad: event.currentTarget.checked })} />
+                {pad === '' ? panelTexts.teleop.gamepad : panelTexts.teleop.gamepadOf(pad)}
+              </label>
+            )}
         </div>
+        {isForNode
+          ? (
+            <p class="hint" role="status">
+              {pad === '' ? panelTexts.teleop.padWanted : panelTexts.teleop.padForNode(pad)}
+            </p>
+          )
+          : null}
         {stamped
           ? (
             <label class="editor-field">

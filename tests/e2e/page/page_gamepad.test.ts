@@ -13,7 +13,7 @@ import { withTabs } from '../support/site_tabs.ts';
 
 const watchdog = { timeout: 240_000 };
 const packed = packedInBrowser((workspace) => {
-  workspace.addPackage('pad', {}, { depends: ['joy', 'teleop_twist_joy'] });
+  workspace.addPackage('pad', {});
   workspace.write('src/pad/launch/pad.launch.xml', `<launch>
   <include file="$(find-pkg-share teleop_twist_joy)/launch/teleop-launch.py">
     <arg name="joy_config" value="xbox"/>

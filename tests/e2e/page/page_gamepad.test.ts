@@ -4,6 +4,8 @@
 // Compatibility, works: joy: `joy_node`, `game_controller_node`, `joy_enumerate_devices` with the visitor's gamepad, from launch files and
 // as components; their parameters, texts and `joy/set_feedback`
 
+// Compatibility, differs: joy: a page that is not in use -> the gamepad comes to rest; browsers read none in the background
+
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Page } from 'playwright-core';
@@ -18,6 +20,14 @@ const packed = packedInBrowser((workspace) => {
   <include file="$(find-pkg-share teleop_twist_joy)/launch/teleop-launch.py">
     <arg name="joy_config" value="xbox"/>
   </include>
+  <group>
+    <push-ros-namespace namespace="composed"/>
+    <include file="$(find-pkg-share joy)/launch/joy-composed-launch.py"/>
+  </group>
+  <group>
+    <push-ros-namespace namespace="alone"/>
+    <include file="$(find-pkg-share joy)/launch/joy-launch.py"/>
+  </group>
   <node_container pkg="rclcpp_components" exec="component_container" name="container" namespace="">
     <composable_node pkg="joy" plugin="joy::GameController" name="game_controller_node">
       <param name="device_name" value="Xbox 360"/>
@@ -135,6 +145,9 @@ for (const link of played('shared', 'port')) {
       await hold(page, {});
       await says(page, 'Gamepad: Xbox 360 (a node reads it)');
       await says(page, 'Opened joystick: Xbox 360.  deadzone: 0.300000');
+      await says(page, '[composed.joy_node]: Opened joystick: Xbox 360.  deadzone: 0.500000');
+      // The parameters of joy-launch.py are for /joy_node.
+      await says(page, '[alone.joy_node]: Opened joystick: Xbox 360.  deadzone: 0.050000');
       await says(page, 'No haptic (rumble) available, skipping initialization');
       await says(page, 'Controller Found: device_id=0, device_name=Xbox 360');
       await says(page, 'Opened game controller: Xbox 360,  deadzone: 0.000000, rumble: No');

@@ -1,4 +1,8 @@
 // The visitor's gamepads for nodes: layouts, numbers, and a desk that reads a browser's gamepads while nodes wait for them.
+
+// Compatibility, differs: joy: the order of axes and buttons -> that of an Xbox gamepad, if the browser knows the gamepad's layout; others
+// come as the browser lists them
+
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TopicView } from '../../../runtime/site/contract/session.ts';

@@ -9,7 +9,7 @@ export const RUMBLE_TOPIC = '/_gamepad/rumble';
 export const MOST_GAMEPADS = 4;
 
 const WANTED = /^\/_gamepad\/(joystick|controller)_(\d)$/;
-/** Of the Gamepad API's standard layout; 17 is the touchpad, which not every browser has. */
+/** Buttons of the Gamepad API's standard layout; 17 is the touchpad, which not every browser has. */
 const BUTTON = { leftTrigger: 6, rightTrigger: 7, up: 12, down: 13, left: 14, right: 15 } as const;
 /** A, B, X, Y, left and right shoulder, back, start, guide, left and right stick. */
 const JOYSTICK_BUTTONS: readonly number[] = [0, 1, 2, 3, 4, 5, 8, 9, 16, 10, 11];
@@ -39,7 +39,7 @@ export function wantedGamepads(topics: readonly TopicView[]): readonly GamepadWi
   });
 }
 
-/** What is used of the Gamepad API's Gamepad. */
+/** The Gamepad API's Gamepad, as far as it is used here. */
 export interface GamepadReading {
   readonly id: string;
   readonly mapping: string;

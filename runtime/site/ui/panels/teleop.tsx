@@ -7,6 +7,7 @@ import { flagMember, member, numberMember, textMember } from '../model/json.ts';
 import { driveTopics, isRest, REST, TWIST, TWIST_STAMPED, padStick, sumOf } from '../model/twist.ts';
 import type { Stick } from '../model/twist.ts';
 import { DrivePad } from '../parts/drive_pad.tsx';
+import { GamepadField } from '../parts/gamepad_field.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useLetGo } from '../parts/use_let_go.ts';
@@ -173,22 +174,8 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
             <input type="checkbox" checked={stamped} onChange={(event) => change({ stamped: event.currentTarget.checked })} />
             {panelTexts.teleop.stamped}
           </label>
-          {isForNode
-            ? null
-            : (
-              <label class="check">
-                <input type="checkbox" checked={usesPad} onChange={(event) => change({ gamepad: event.currentTarget.checked })} />
-                {pad === '' ? panelTexts.teleop.gamepad : panelTexts.teleop.gamepadOf(pad)}
-              </label>
-            )}
+          <GamepadField pad={pad} isForNode={isForNode} isUsed={usesPad} onUse={(gamepad) => change({ gamepad })} />
         </div>
-        {isForNode
-          ? (
-            <p class="hint" role="status">
-              {pad === '' ? panelTexts.teleop.padWanted : panelTexts.teleop.padForNode(pad)}
-            </p>
-          )
-          : null}
         {stamped
           ? (
             <label class="editor-field">

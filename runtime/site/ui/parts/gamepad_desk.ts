@@ -22,7 +22,7 @@ interface RumbleActuator {
   playEffect?(type: 'dual-rumble', effect: Readonly<Record<string, number>>): Promise<unknown>;
 }
 
-/** What is used of the browser. */
+/** The browser, as far as it is used here. */
 export interface GamepadWorld {
   /** Throws where a frame around the page forbids gamepads. */
   readonly gamepads: () => readonly (DeskGamepad | null)[];
@@ -59,7 +59,7 @@ interface Connected {
   readonly number: number;
 }
 
-/** Of one wish. Stays open while no gamepad is there: what it published last must arrive. */
+/** The publisher for one wish. It stays open while no gamepad is there: its last message must arrive. */
 interface Sender {
   readonly wish: GamepadWish;
   readonly publisher: PagePublisher;

@@ -26,7 +26,7 @@ enum class GamepadLayout {
 
 [[nodiscard]] std::string device_topic(GamepadLayout layout, int device);
 
-/// Of type sensor_msgs/msg/JoyFeedback; `id` is the number of the gamepad.
+/// Its messages are sensor_msgs/msg/JoyFeedback; `id` is the number of the gamepad.
 inline constexpr const char* kRumbleTopic = "/_gamepad/rumble";
 
 }  // namespace joy

@@ -51,7 +51,7 @@ class JoyState {
   JoySettings settings_;
   std::vector<float> axes_;
   std::vector<int32_t> buttons_;
-  /// Of the device, in which no button is sticky.
+  /// The buttons of the device, on which none is sticky.
   std::vector<bool> pressed_;
 };
 

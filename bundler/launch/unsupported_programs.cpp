@@ -26,9 +26,12 @@ constexpr std::string_view kControl =
     "no channel of the workspace has ros2_control; a node of the workspace can do its work";
 constexpr std::string_view kDevice =
     "it reads a device, which no browser reaches; a node that simulates it, or a bag, can publish";
+constexpr std::string_view kGamepad =
+    "the workspace does not depend on it; with `dependencies: [joy]` in workspace.yaml it reads "
+    "the gamepad of the visitor";
 constexpr std::string_view kJoystick =
-    "the panel Teleop drives by gamepad, and publishes velocities; the site has no publisher of "
-    "`joy`";
+    "it reads a device, which no browser reaches; `joy_node` of the package `joy` reads the "
+    "gamepad of the visitor";
 constexpr std::string_view kNavigation =
     "no channel of the workspace has it; `sources:` of workspace.yaml can name a repository that "
     "does, or a node of the workspace does its work";
@@ -41,9 +44,9 @@ constexpr StandIn kStandIns[] = {
     {"foxglove_bridge", kBridge},
     {"gazebo*", kSimulator},
     {"joint_state_publisher_gui", "the panel Joints of the page replaces it", "joints", true},
-    {"joy", kJoystick, "teleop"},
+    {"joy", kGamepad, "teleop"},
     {"joy_linux", kJoystick, "teleop"},
-    {"joy_teleop", kJoystick, "teleop"},
+    {"joy_teleop", kNavigation, "teleop"},
     {"micro_ros_agent", kBridge},
     {"moveit*", "MoveIt is not part of a site, its messages are"},
     {"nav2_*", kNavigation},
@@ -158,6 +161,10 @@ std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
     add({.panel = std::string(found->panel),
          .file = place_in_site(configuration_of(process.node))});
   }
+  // It says how a gamepad is connected, and drives without one.
+  if (std::any_of(description.processes.begin(), description.processes.end(),
+                  [](const LaunchProcess& process) { return process.node.package.value == "joy"; }))
+    add({.panel = "teleop"});
   // In the place of Gazebo's own window.
   if (std::any_of(
           description.processes.begin(), description.processes.end(),

@@ -23,7 +23,7 @@ using IsKnownPackage = std::function<bool(const std::string& package)>;
                                            const IsKnownPackage& is_known,
                                            const LaunchWorld& world);
 
-/// A panel of the page that does the work of a program which is skipped.
+/// A panel of the page that does the work of a program, or a part of it.
 struct StandInPanel {
   std::string panel;
   std::string file;  ///< of the site, that says what is shown; or none
@@ -32,7 +32,8 @@ struct StandInPanel {
 };
 
 /// The 3D view for rviz2, with the file of `-d` when packages install it; Joints for
-/// joint_state_publisher_gui; the 3D view for the simulator, too. Each panel once.
+/// joint_state_publisher_gui; Simulation beside the simulator, and Teleop beside nodes of the
+/// package joy. Each panel once.
 [[nodiscard]] std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
                                                         const IsKnownPackage& is_known);
 

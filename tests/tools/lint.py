@@ -116,7 +116,8 @@ def checks() -> dict[str, object]:
     # Users' packages need no hints, nor do programs that are written as users write them. Launch files find modules
     # whose names others have too.
     unhinted = ("tests/packages/", "examples/", "templates/workspaces/", "runtime/packages/interfaces/",
-                "runtime/packages/tools/demo_nodes_", "runtime/packages/tools/teleop_twist_joy/",
+                "runtime/packages/tools/demo_nodes_", "runtime/packages/tools/joy/",
+                "runtime/packages/tools/teleop_twist_joy/",
                 "runtime/packages/tools/twist_mux/", "runtime/packages/tools/urdf_launch/", LAUNCH_MODULES,
                 # cv2 makes its functions from tables when it is imported, as OpenCV's own does; neither has hints.
                 "runtime/packages/vendor/py_opencv/", "tests/support/opencv/")

@@ -18,6 +18,7 @@ import { useCameras } from './parts/use_cameras.ts';
 import { useCvWindows } from './parts/use_cv_windows.ts';
 import { useFigures } from './parts/use_figures.ts';
 import { useFocus } from './parts/use_focus.ts';
+import { useGamepadWish } from './parts/use_gamepad_wish.ts';
 import { useLoaded } from './parts/use_loaded.ts';
 import { useLayout } from './parts/use_layout.ts';
 import { useNodes, useMedia } from './parts/watch.ts';
@@ -131,6 +132,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
         </div>
       )}
       <Cameras session={session} />
+      <Gamepads session={session} />
       <SourceLinksContext.Provider value={sources}>
         <Dock control={control} narrow={narrow} bare={embed !== null} show={show} />
       </SourceLinksContext.Provider>
@@ -186,6 +188,13 @@ function Cameras({ session }: { readonly session: Session; }) {
   const numbers = useCameras(session);
   const code = useLoaded(numbers.length > 0, () => import('./parts/camera_bar.tsx'));
   return code === null ? null : numbers.map((number) => <code.CameraBar key={number} session={session} number={number} />);
+}
+
+/** Reads the visitor's gamepads while nodes wait for them. The code is loaded for the first such node. */
+function Gamepads({ session }: { readonly session: Session; }) {
+  const isWanted = useGamepadWish(session);
+  const code = useLoaded(isWanted, () => import('./parts/gamepad_link.ts'));
+  return code === null ? null : <code.GamepadLink session={session} />;
 }
 
 /** Its code comes when it is first opened. */

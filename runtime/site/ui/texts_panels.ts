@@ -94,6 +94,8 @@ export const panelTexts = {
     frame: 'frame_id',
     gamepad: 'Gamepad (press one of its buttons)',
     gamepadOf: (id: string): string => `Gamepad: ${id}`,
+    padWanted: 'A node waits for a gamepad: connect one and press one of its buttons.',
+    padForNode: (id: string): string => `Gamepad: ${id} (a node reads it)`,
   },
 
   publish: {

@@ -7,10 +7,12 @@ import { flagMember, member, numberMember, textMember } from '../model/json.ts';
 import { driveTopics, isRest, REST, TWIST, TWIST_STAMPED, padStick, sumOf } from '../model/twist.ts';
 import type { Stick } from '../model/twist.ts';
 import { DrivePad } from '../parts/drive_pad.tsx';
+import { GamepadField } from '../parts/gamepad_field.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useLetGo } from '../parts/use_let_go.ts';
 import { TwistSender } from '../parts/twist_sender.ts';
+import { useGamepadWish } from '../parts/use_gamepad_wish.ts';
 import { useGraph } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
@@ -99,7 +101,9 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     tell();
   }, [session, codec, topic, stamped, frame, linear, angular, rate]);
   useLetGo(release);
-  const pad = useGamepad(usesPad, (stick) => hold('gamepad', stick));
+  /** A node drives by the gamepad: two would disagree. */
+  const isForNode = useGamepadWish(session);
+  const pad = useGamepad(usesPad && !isForNode, (stick) => hold('gamepad', stick));
 
   const open = (): void => {
     sender.current?.open();
@@ -170,10 +174,7 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
             <input type="checkbox" checked={stamped} onChange={(event) => change({ stamped: event.currentTarget.checked })} />
             {panelTexts.teleop.stamped}
           </label>
-          <label class="check">
-            <input type="checkbox" checked={usesPad} onChange={(event) => change({ gamepad: event.currentTarget.checked })} />
-            {pad === '' ? panelTexts.teleop.gamepad : panelTexts.teleop.gamepadOf(pad)}
-          </label>
+          <GamepadField pad={pad} isForNode={isForNode} isUsed={usesPad} onUse={(gamepad) => change({ gamepad })} />
         </div>
         {stamped
           ? (

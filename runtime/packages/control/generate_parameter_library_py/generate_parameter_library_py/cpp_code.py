@@ -45,8 +45,8 @@ VALIDATORS = (
 
 def text(value: str) -> str:
     """A literal. Octal escapes have three digits at most, so that what follows cannot join them."""
-    plain = ''.join(chr(byte) if 32 <= byte < 127 and byte not in b'"\\?' else f'\\{byte:03o}' for byte in value.encode())
-    return f'"{plain}"'
+    bytes_ = (chr(one) if 32 <= one < 127 and one not in b'"\\?' else f'\\{one:03o}' for one in value.encode())
+    return f'"{"".join(bytes_)}"'
 
 
 def described(value: str) -> str:
@@ -242,12 +242,14 @@ def cpp_header(file: ParameterFile, validators: str = '') -> str:
     lines += ['/// Of the parameters, those that need no memory of their own.', 'struct StackParams {',
               *on_stack.lines(root, 'StackParams', '  '), '};', '']
     lines += [
-        '/// Used by ParamListener only.', 'struct ParamDescription {', f'  static constexpr const char* kName = "{name}";',
-        '  using Field = generate_parameter_library::Field;', '  using Result = generate_parameter_library::Result;', '',
+        '/// Used by ParamListener only.', 'struct ParamDescription {',
+        f'  static constexpr const char* kName = "{name}";', '  using Field = generate_parameter_library::Field;',
+        '  using Result = generate_parameter_library::Result;', '',
         '  static void add_fields([[maybe_unused]] generate_parameter_library::Fields& fields,',
         '                         [[maybe_unused]] Params& params) {', *walk.fields(root, 'params', ''), '  }',
         '  static void add_entries([[maybe_unused]] generate_parameter_library::Fields& fields,',
-        '                          [[maybe_unused]] Params& params) {', *walk.entries(root, 'params', ''), '  }', '};', '']
+        '                          [[maybe_unused]] Params& params) {', *walk.entries(root, 'params', ''), '  }', '};',
+        '']
     lines += [
         '/// Declares the parameters of a node, checks them, and follows their changes.',
         'class ParamListener : public generate_parameter_library::Listener<Params, ParamDescription> {', ' public:',

@@ -32,4 +32,5 @@ def type_name(name: str) -> str:
 def as_identifier(text: str) -> str:
     """A name near to `text` that is one."""
     name = re.sub(r'\W', '_', text, flags=re.ASCII)
-    return name if IDENTIFIER.fullmatch(name) and name not in CPP_KEYWORDS and not keyword.iskeyword(name) else f'{name}_'
+    is_free = name not in CPP_KEYWORDS and not keyword.iskeyword(name)
+    return name if IDENTIFIER.fullmatch(name) and is_free else f'{name}_'

@@ -26,9 +26,9 @@ TYPES = ('none', *SCALARS, *(f'{one}_array' for one in SCALARS), 'string_fixed_N
 FIXED = re.compile(r'(string|(?:double|int|string)_array)_fixed_([0-9]{1,6})')
 #: The built-in functions, and how many arguments each takes.
 VALIDATORS = {
-    'bounds': 2, 'element_bounds': 2, 'fixed_size': 1, 'gt': 1, 'gt_eq': 1, 'lower_bounds': 1, 'lower_element_bounds': 1,
-    'lt': 1, 'lt_eq': 1, 'not_empty': 0, 'one_of': 1, 'size_gt': 1, 'size_lt': 1, 'subset_of': 1, 'unique': 0,
-    'upper_bounds': 1, 'upper_element_bounds': 1}
+    'bounds': 2, 'element_bounds': 2, 'fixed_size': 1, 'gt': 1, 'gt_eq': 1, 'lower_bounds': 1,
+    'lower_element_bounds': 1, 'lt': 1, 'lt_eq': 1, 'not_empty': 0, 'one_of': 1, 'size_gt': 1, 'size_lt': 1,
+    'subset_of': 1, 'unique': 0, 'upper_bounds': 1, 'upper_element_bounds': 1}
 WITH_A_LIST = ('one_of', 'subset_of')
 LONGEST = 2**63
 
@@ -95,6 +95,7 @@ class Group:
     path: tuple[str, ...]
     members: tuple[Union[Parameter, Group], ...]
     keys: str | None  # of a map: the path of its array of keys, with dots
+    line: int
 
     @property
     def parameters(self) -> list[Parameter]:
@@ -199,7 +200,7 @@ class FileReader:
                 members.append(self._group(key, inner, value.content, at))
         if not mapping.members:
             raise self.error(line, f'`{shown}` is empty', 'give it `type:`, or parameters below it')
-        return Group(name, path, tuple(members), keys)
+        return Group(name, path, tuple(members), keys, line)
 
     def _keys_of(self, name: str, path: tuple[str, ...], line: int) -> str:
         """As upstream looks for it: in the group around the outermost map, then further out."""
@@ -226,8 +227,9 @@ class FileReader:
         for key in mapping.members:
             if key not in KEYS_OF_PARAMETER:
                 near = difflib.get_close_matches(key, KEYS_OF_PARAMETER, 1)
-                raise self.error(mapping.lines[key], f"Invalid syntax in parameter {shown}. '{key}' is not valid syntax",
-                                 f'write `{near[0]}`' if near else 'it can have ' + ', '.join(KEYS_OF_PARAMETER))
+                raise self.error(
+                    mapping.lines[key], f"Invalid syntax in parameter {shown}. '{key}' is not valid syntax",
+                    f'write `{near[0]}`' if near else 'it can have ' + ', '.join(KEYS_OF_PARAMETER))
         if 'type' not in mapping.members:
             raise self.error(line, f'No type defined for parameter {shown}', 'add `type:`: ' + ', '.join(TYPES))
         type_ = self._type(shown, mapping.members['type'])
@@ -365,8 +367,8 @@ class FileReader:
         plain = value.content
         parts = [one.content for one in plain] if isinstance(plain, list) else [plain]
         if not all(is_of('int', one) or isinstance(one, (bool, float, str)) for one in parts):
-            raise self.error(value.line, f'an argument in the validation of {shown} is neither a text, a number, a truth '
-                             'value nor a list of them', 'write one of these')
+            raise self.error(value.line, f'an argument in the validation of {shown} is neither a text, a number, a '
+                             'truth value nor a list of them', 'write one of these')
         return parts if isinstance(plain, list) else plain
 
 

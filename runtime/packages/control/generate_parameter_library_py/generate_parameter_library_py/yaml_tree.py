@@ -15,7 +15,8 @@ from generate_parameter_library_py.errors import ParameterFileError
 
 LARGEST = 1_000_000  # bytes; the largest file of ros2_controllers has 20,000
 DEEPEST = 64
-MOST_VALUES = 100_000  # with those that aliases repeat
+MOST_VALUES = 20_000  # with keys, and with those that aliases repeat
+TOO_MANY = f'the file has more than {MOST_VALUES} values'
 
 
 @dataclasses.dataclass(frozen=True)
@@ -39,8 +40,24 @@ class Mapping:
     repeated: dict[str, int]
 
 
+class TooManyValues(Exception):
+    pass
+
+
+class Loader(yaml.SafeLoader):
+    """Stops at a file of too many values before it has read all of it."""
+
+    count = 0
+
+    def compose_node(self, parent: yaml.Node, index: Any) -> Any:
+        self.count += 1
+        if self.count > MOST_VALUES:
+            raise TooManyValues
+        return super().compose_node(parent, index)
+
+
 class Reader:
-    def __init__(self, file: str, loader: yaml.SafeLoader) -> None:
+    def __init__(self, file: str, loader: Loader) -> None:
         self._file = file
         self._loader = loader
         self._open: set[int] = set()  # nodes that are being read
@@ -54,7 +71,8 @@ class Reader:
             raise self.error(node, 'the value contains itself, by an alias', 'write the value out')
         self._count += 1
         if self._count > MOST_VALUES or len(self._open) >= DEEPEST:
-            raise self.error(node, f'more than {MOST_VALUES} values, or more than {DEEPEST} in one another')
+            raise self.error(
+                node, TOO_MANY if self._count > MOST_VALUES else f'more than {DEEPEST} groups in one another')
         self._open.add(id(node))
         result = Value(self._content(node), node.start_mark.line + 1)
         self._open.discard(id(node))
@@ -101,7 +119,7 @@ def read_yaml(path: str) -> Value:
     """The first document of a file. Raises ParameterFileError."""
     text = read_text(path, path)
     try:
-        loader = yaml.SafeLoader(text)
+        loader = Loader(text)
         node = loader.get_node() if loader.check_node() else None
         if node is None:
             raise ParameterFileError(path, 0, 'the file is empty', 'name the parameters, below one namespace')
@@ -113,5 +131,7 @@ def read_yaml(path: str) -> Value:
         raise ParameterFileError(path, 0, f'not YAML: {error}') from None
     except ValueError as error:  # e.g. the date 2024-13-45
         raise ParameterFileError(path, 0, f'not YAML: {error}', 'put texts in quotes') from None
+    except TooManyValues:
+        raise ParameterFileError(path, 0, TOO_MANY, 'make several libraries') from None
     except RecursionError:
-        raise ParameterFileError(path, 0, 'values are nested too deeply, or merge themselves') from None
+        raise ParameterFileError(path, 0, 'values are nested too deeply') from None

@@ -151,7 +151,8 @@ class RefusalsTest(GeneratorTest):
         self.yaml.write_text('ns: {x: {type: int, y: 1}}')
         done = subprocess.run(
             [sys.executable, '-B', '-c', 'import sys\n'
-             'from generate_parameter_library_py.generate_cpp_header import main\nsys.exit(main())', str(self.folder / 'x.hpp'), str(self.yaml)],
+             'from generate_parameter_library_py.generate_cpp_header import main\nsys.exit(main())',
+             str(self.folder / 'x.hpp'), str(self.yaml)],
             capture_output=True, text=True, env={'PYTHONPATH': str(PACKAGE)})
         self.assertEqual((done.returncode, done.stderr.splitlines()[0]), (
             1, f"{self.yaml}:1: error: Invalid syntax in parameter x. 'y' is not valid syntax"))

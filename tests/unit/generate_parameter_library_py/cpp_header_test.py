@@ -47,8 +47,8 @@ class CppHeaderTest(GeneratorTest):
             'std::vector<double> g = {std::numeric_limits<double>::quiet_NaN(), '
             '-std::numeric_limits<double>::infinity(), 1e-11};',
             'std::vector<std::string> h = {};', 'rsl::StaticString<5> i{std::string("abc", 3)};',
-            'rsl::StaticVector<double, 3> j = {{1.0}};', 'rsl::StaticVector<int64_t, 2> k{};',
-            'rsl::StaticVector<std::string, 2> l = {{"a", "b"}};'])
+            'rsl::StaticVector<double, 3> j = {1.0};', 'rsl::StaticVector<int64_t, 2> k{};',
+            'rsl::StaticVector<std::string, 2> l = {"a", "b"};'])
         self.assertIn('rclcpp::Time __stamp;', fields[-1])
 
     def test_the_stack_has_what_needs_no_memory(self) -> None:

@@ -91,7 +91,8 @@ def initial(parameter: Parameter) -> str:
     if not parameter.type.capacity:
         return ' = ' + (literal(value) if isinstance(value, (list, float, int)) or '\0' not in value else exact(value))
     if parameter.type.is_array:
-        return f' = {{{literal(value)}}}' if value else '{}'
+        # In two pairs of braces, two texts would be the ends of one.
+        return f' = {literal(value)}' if value else '{}'
     return f'{{{exact(value)}}}'
 
 

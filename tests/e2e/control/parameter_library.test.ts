@@ -84,10 +84,10 @@ test('parameters of YAML files', watchdog, async (t) => {
 
     await t.test('each rule refuses a value', async () => {
       const cases: readonly (readonly [string, string, string])[] = [
-        ['rate', '0.0', "Parameter 'rate' with the value '0' must be greater than '0'"],
+        ['rate', '0.0', "Parameter {rate} doesn't comply with floating point range."],
         ['rate', '100.5', "Parameter {rate} doesn't comply with floating point range."],
         ['tries', '6', "Parameter {tries} doesn't comply with integer range."],
-        ['title', '""', "Parameter 'title' cannot be empty"],
+        ['title', '', "Parameter 'title' cannot be empty"],
         ['base', 'other', "parameter 'base' cannot be set because it is read-only"],
         ['joints', '[a, a]', "Parameter 'joints' must only contain unique values"],
         ['axes', '[x, w]', "Entry 'w' in parameter 'axes' is not in the set '{x, y, z}'"],

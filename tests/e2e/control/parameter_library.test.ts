@@ -26,7 +26,7 @@ before(async () => {
 }, watchdog);
 after(() => workspace.close());
 
-/** What a node has said, line by line, without time and name of rclcpp. */
+/** The lines that a node has said, without time and name of rclcpp. */
 function said(session: Session, program: string): string[] {
   const node = session.nodes().find(({ executable }) => executable === program);
   assert.ok(node, `there is no program ${program}`);

@@ -74,6 +74,13 @@ class CppHeaderTest(GeneratorTest):
             'const std::string prefix_2 = std::string(prefix_1 + "inner.") + key_2 + ".";',
             'fields.add(prefix_2 + "gain", entry_2.gain, Field("").required());'])
 
+    def test_groups_of_what_others_declare_make_no_code(self) -> None:
+        for language in ('cpp', 'python'):
+            code = self.generated('ns:\n  keys: {type: string_array, default_value: []}\n'
+                                  '  __map_keys: {chain: {type: none, description: by others}}\n', language)
+            self.assertNotIn('MapKeys', code)
+            self.assertNotIn('entry_', code)
+
     def test_a_key_is_looked_for_from_the_map_outwards(self) -> None:
         text = """ns:
   keys: {type: string_array, default_value: []}

@@ -31,7 +31,7 @@ class PythonModuleTest(GeneratorTest, BusTest):
     def setUp(self) -> None:
         GeneratorTest.setUp(self)
         BusTest.setUp(self)
-        self.parameter = importlib.import_module('rclpy.parameter').Parameter
+        self.made = importlib.import_module('rclpy.parameter').Parameter
         for name in [one for one in sys.modules if one.startswith('generate_parameter_library_py')]:
             del sys.modules[name]  # rclpy is another one in each class of tests
 
@@ -42,13 +42,13 @@ class PythonModuleTest(GeneratorTest, BusTest):
         assert spec is not None and spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
-        values = [self.parameter(name.replace('__', '.'), value=value) for name, value in overrides.items()]
+        values = [self.made(name.replace('__', '.'), value=value) for name, value in overrides.items()]
         self.own = self.node('arm', parameter_overrides=values)
         return module.arm.ParamListener(self.own, prefix) if prefix else module.arm.ParamListener(self.own)
 
     def set(self, name: str, value: Any) -> str:
         """Empty when the node takes the value, else its reason."""
-        result = self.own.set_parameters([self.parameter(name, value=value)])[0]
+        result = self.own.set_parameters([self.made(name, value=value)])[0]
         return '' if result.successful else str(result.reason)
 
     def test_values_are_the_defaults_and_what_the_node_was_given(self) -> None:

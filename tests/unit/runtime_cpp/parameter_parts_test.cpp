@@ -1,5 +1,5 @@
-// What generated parameter headers are made of, below ROS: the texts of refused values, and strings
-// and vectors that never allocate.
+// Parts of generated parameter headers, below ROS: the texts of refused values, and strings and
+// vectors that never allocate.
 #include <gtest/gtest.h>
 
 #include <array>

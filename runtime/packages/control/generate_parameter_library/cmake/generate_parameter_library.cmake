@@ -1,3 +1,4 @@
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 # Functions for the CMakeLists.txt of packages:
 #   generate_parameter_library(target file.yaml [validators.hpp])   a header, for C++
 #   generate_parameter_module(name file.yaml [package.validators])  a module, for Python

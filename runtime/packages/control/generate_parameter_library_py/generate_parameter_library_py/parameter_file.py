@@ -118,7 +118,7 @@ class ParameterFile:
 
 
 def is_parameter(mapping: Mapping) -> bool:
-    """Whether it is not a group: it has a `type` that is no parameter, or nothing that could be a parameter."""
+    """Whether it is not a group: its `type` is not a parameter by that name, or it has only what a parameter has."""
     if 'type' in mapping.members:
         return not isinstance(mapping.members['type'].content, Mapping)
     first = next(iter(mapping.members.values()), None)
@@ -197,7 +197,8 @@ class FileReader:
                 parameter = self._parameter(key, inner, value.content, at)
                 members += [parameter] if parameter else []
             else:
-                members.append(self._group(key, inner, value.content, at))
+                group = self._group(key, inner, value.content, at)
+                members += [group] if group.members else []  # it may describe parameters of others only
         if not mapping.members:
             raise self.error(line, f'`{shown}` is empty', 'give it `type:`, or parameters below it')
         return Group(name, path, tuple(members), keys, line)

@@ -44,7 +44,7 @@ class TooManyValues(Exception):
     pass
 
 
-class Loader(yaml.SafeLoader):
+class Loader(yaml.SafeLoader):  # type: ignore[misc]
     """Stops at a file of too many values before it has read all of it."""
 
     count = 0

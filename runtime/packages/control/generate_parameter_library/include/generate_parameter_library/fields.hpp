@@ -91,7 +91,7 @@ class Fields {
   }
 
   bool has_declared() const { return has_declared_; }
-  /// Of the change: nothing when it is accepted, or is none of these parameters.
+  /// Why the change is refused; nothing when it is accepted, or is none of these parameters.
   const Result& result() const { return result_; }
 
  private:

@@ -172,7 +172,7 @@ template <class T>
   return {};
 }
 
-/// What a callback for new values answers.
+/// The answer of a callback for new values.
 [[nodiscard]] inline rcl_interfaces::msg::SetParametersResult to_parameter_result_msg(
     const ValidatorResult& result) {
   rcl_interfaces::msg::SetParametersResult message;

@@ -52,6 +52,23 @@ std::vector<SetupFile> files_of(const JsonValue& json, std::string_view key,
   return result;
 }
 
+std::vector<WrittenFile> written_of(const JsonValue& json, const BuildPlace& place,
+                                    Diagnostics& errors) {
+  std::vector<WrittenFile> result;
+  const JsonValue* list = json.find("written");
+  if (list == nullptr) return result;
+  for (const JsonValue& pair : list->items()) {
+    const auto& items = pair.items();
+    const std::string* to = items.size() == 2 ? items[0].string() : nullptr;
+    const std::string* text = items.size() == 2 ? items[1].string() : nullptr;
+    if (to == nullptr || text == nullptr) continue;
+    if (!stays_below(*to))
+      errors.push_back(refused(place, "setup.py", 0, "`" + *to + "` leads out of its folder"));
+    result.push_back({.to = *to, .text = *text});
+  }
+  return result;
+}
+
 Diagnostics warnings_of(const JsonValue& json, const BuildPlace& place) {
   Diagnostics result;
   const JsonValue* list = json.find("warnings");
@@ -153,6 +170,7 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
                  .modules = files_of(*parsed, "modules", place, errors),
                  .data = files_of(*parsed, "data", place, errors),
                  .scripts = files_of(*parsed, "scripts", place, errors),
+                 .written = written_of(*parsed, place, errors),
                  .script_folder = parsed->text_of("script_folder"),
                  .programs = {},
                  .entry_points = {},

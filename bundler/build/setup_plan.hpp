@@ -17,6 +17,12 @@ struct SetupFile {
   std::string to;    ///< relative to the folder of modules, or to the prefix
 };
 
+/// A file that setup.py itself makes.
+struct WrittenFile {
+  std::string to;  ///< below the prefix
+  std::string text;
+};
+
 /// `count = chatter_py.count:main` of the group console_scripts.
 struct EntryPoint {
   std::string name;
@@ -27,10 +33,11 @@ struct EntryPoint {
 struct SetupPlan {
   std::string name;
   std::string version;
-  std::vector<SetupFile> modules;  ///< below the folder of modules
-  std::vector<SetupFile> data;     ///< below the prefix
-  std::vector<SetupFile> scripts;  ///< programs as they are, below the prefix
-  std::string script_folder;       ///< where programs go, below the prefix
+  std::vector<SetupFile> modules;    ///< below the folder of modules
+  std::vector<SetupFile> data;       ///< below the prefix
+  std::vector<SetupFile> scripts;    ///< programs as they are, below the prefix
+  std::vector<WrittenFile> written;  ///< by setup.py itself; the others come over these
+  std::string script_folder;         ///< where programs go, below the prefix
   std::vector<EntryPoint> programs;
   std::map<std::string, std::vector<std::string>> entry_points;  ///< all groups, as they stand
   Diagnostics warnings;  ///< R2W0527; places are below the package's folder

@@ -1,6 +1,6 @@
-// Python packages: their setup.py is read in Pyodide, which sees a copy of the package and nothing
-// else of this machine, and what it would install is installed here. No Python of this machine has
-// a part in it.
+// Python packages: their setup.py is read in Pyodide, which sees a copy of the package, the modules
+// of what it depends on and nothing else of this machine, and what it would install is installed
+// here. No Python of this machine has a part in it.
 #include <chrono>
 
 #include "bundler/build/compiler_warnings.hpp"
@@ -104,6 +104,17 @@ Outcome<Done> copy_package(const PackageBuild& request, const fs::path& to) {
   return Done{};
 }
 
+/// The folders of modules that setup.py may import, nearest first.
+std::vector<fs::path> module_folders(const PackageBuild& request) {
+  std::vector<fs::path> result;
+  for (const fs::path& prefix : request.prefixes) {
+    std::error_code error;
+    fs::path folder = fs::canonical(prefix / kPythonModules, error);
+    if (!error && fs::is_directory(folder, error)) result.push_back(std::move(folder));
+  }
+  return result;
+}
+
 /// Runs setup.py; the JSON that read_setup.mjs prints.
 Outcome<std::string> run_setup(const PackageBuild& request, const BuildTools& tools,
                                const fs::path& pyodide, const Cancellation& cancellation) {
@@ -113,8 +124,12 @@ Outcome<std::string> run_setup(const PackageBuild& request, const BuildTools& to
   const fs::path copy = fs::canonical(folder->path(), error);
   if (auto copied = copy_package(request, copy); !copied) return std::move(copied).errors();
   const fs::path program = tools.python_templates / "read_setup.mjs";
-  ProcessRequest run = python_sandbox(tools.node_js, {pyodide, tools.python_templates, copy},
-                                      {program.string(), pyodide.string(), copy.string()});
+  std::vector<fs::path> readable = module_folders(request);
+  std::vector<std::string> arguments{program.string(), pyodide.string(), copy.string(),
+                                     request.place.package};
+  for (const fs::path& modules : readable) arguments.push_back(modules.string());
+  readable.insert(readable.end(), {pyodide, tools.python_templates, copy});
+  ProcessRequest run = python_sandbox(tools.node_js, readable, arguments);
   run.directory = request.work;
   run.time_limit = kTimeLimit;
   const auto result = run_process(run, cancellation);
@@ -133,6 +148,9 @@ Outcome<Done> install(const SetupPlan& plan, const PackageBuild& request) {
   const fs::path& source = request.place.source;
   const fs::path& prefix = request.install;
   const fs::path modules = prefix / kPythonModules;
+  for (const WrittenFile& file : plan.written) {
+    if (auto done = put(prefix / file.to, file.text); !done) return done;
+  }
   if (auto done = put_all(plan.modules, request, modules); !done) return done;
   if (auto done = put_all(plan.data, request, prefix); !done) return done;
   if (auto done = put_all(plan.scripts, request, prefix, true); !done) return done;

@@ -1,8 +1,8 @@
 """Runs a package's setup.py against a stand-in of setuptools, and says what it would install.
 
 The result is JSON. `modules`, `data`: pairs of a file of the package and its place below the folder of modules or below
-the prefix; `scripts`: the same for programs; `entry_points`: group -> lines; `warnings`: lines that are not followed;
-or only `error`.
+the prefix; `scripts`: the same for programs; `written`: pairs of a place below the prefix and a text, of files that
+setup.py itself installed; `entry_points`: group -> lines; `warnings`: lines that are not followed; or only `error`.
 """
 from __future__ import annotations
 
@@ -31,6 +31,9 @@ BASE = '$base'
 DEFAULT_SCRIPTS = 'bin'
 #: Where a command of a package sees itself install; nothing is there.
 PREFIX = '/installed'
+#: What setup.py sees as the workspace that colcon builds.
+WORKSPACE = '/workspace'
+MOST_WRITTEN = 4_000_000  # characters
 #: Sections whose keys are folders, packages and groups, not options.
 OWN_NAMES = ('options.data_files', 'options.entry_points', 'options.extras_require', 'options.package_data')
 
@@ -265,6 +268,30 @@ def redirected(arguments: dict[str, Any], folder: str) -> str:
     return posixpath.relpath(changed, PREFIX) if changed.startswith(PREFIX + '/') else folder
 
 
+def colcon_arguments(package: str) -> list[str]:
+    """As colcon calls setup.py."""
+    build = f'{WORKSPACE}/build/{package}'
+    return [SETUP, 'egg_info', '--egg-base', build, 'build', '--build-base', f'{build}/build',
+            'install', '--prefix', f'{WORKSPACE}/install/{package}']
+
+
+def written(package: str) -> list[tuple[str, str]]:
+    """The files that setup.py put where the package is installed."""
+    prefix = f'{WORKSPACE}/install/{package}'
+    result = []
+    for folder, _, names in sorted(os.walk(prefix)):
+        for name in sorted(names):
+            path = posixpath.join(folder, name)
+            try:
+                with open(path, encoding='utf-8') as stream:
+                    result.append((posixpath.relpath(path, prefix), stream.read()))
+            except UnicodeDecodeError:
+                raise SetupError(f"it installs '{posixpath.relpath(path, prefix)}', which is not text") from None
+    if sum(len(text) for _, text in result) > MOST_WRITTEN:
+        raise SetupError(f'it installs files of more than {MOST_WRITTEN} characters, which are not in the package')
+    return result
+
+
 def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dict[str, Any]:
     arguments = {**declared(config, arguments), **arguments}
     if arguments.get('ext_modules'):
@@ -361,13 +388,13 @@ def failure(error: BaseException, line: int) -> dict[str, Any]:
     return {'error': {**place, 'message': f'{kind}{error.msg if isinstance(error, SyntaxError) else error}'}}
 
 
-def read(root: str) -> str:
-    """Run `root`/setup.py; return JSON."""
+def read(root: str, package: str = 'package') -> str:
+    """Run `root`/setup.py of a package; return JSON."""
     import setuptools
 
     os.chdir(root)
     sys.path.insert(0, root)
-    sys.argv = [SETUP, 'install']
+    sys.argv = colcon_arguments(package)
     line = 1
     try:
         try:
@@ -379,7 +406,7 @@ def read(root: str) -> str:
         if not setuptools.CALLS:
             raise SetupError('it does not call setup()')
         arguments, line = setuptools.CALLS[-1]
-        result = planned(arguments, read_config(CONFIG))
+        result = {**planned(arguments, read_config(CONFIG)), 'written': written(package)}
     except BaseException as error:
         result = failure(error, line)
     return json.dumps(result, sort_keys=True)

@@ -5,8 +5,7 @@
 // effort_controllers, diff_drive_controller, joint_trajectory_controller, pid_controller, the broadcasters of IMU, range and force torque
 // sensors, the steering controllers (bicycle, tricycle, Ackermann) and the gripper controllers, with their parameters, topics, actions and texts
 
-// Compatibility, differs: parameters of controllers -> are checked with the texts of generate_parameter_library, whose C++ headers are not
-// installed; filters of broadcasters (`sensor_filter_chain`) are refused when such a controller is configured
+// Compatibility, differs: filters of broadcasters (`sensor_filter_chain`) -> are refused when such a controller is configured
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,11 +28,11 @@ class ReadSetupTest(unittest.TestCase):
         file.write_text(text)
 
     def read(self) -> dict[str, Any]:
-        program = 'import sys; from read_setup import read; print(read(sys.argv[1]))'
+        program = 'import sys, read_setup; read_setup.WORKSPACE = sys.argv[2]; print(read_setup.read(sys.argv[1]))'
         path = os.pathsep.join([str(TEMPLATES / 'stand_in'), str(TEMPLATES)])
         done = subprocess.run(
-            [sys.executable, '-B', '-c', program, str(self.package)], capture_output=True, text=True, check=True,
-            env={'PYTHONPATH': path})
+            [sys.executable, '-B', '-c', program, str(self.package), str(self.package.parent / 'workspace')],
+            capture_output=True, text=True, check=True, env={'PYTHONPATH': path})
         result: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
         return result
 
@@ -107,6 +108,24 @@ setup(name='demo', packages=['demo'], package_dir={'demo': os.path.join(here, 'd
         self.assertEqual(plan['data'], [['launch/all.launch.py', 'share/demo/all.launch.py']])
         self.assertEqual(plan['scripts'], [['tools/run', 'bin/run']])
         self.assertEqual(plan['modules'], [[path, path] for path in ('demo/__init__.py', 'demo/table.csv')])
+
+    def test_what_setup_py_installs_by_itself_is_part_of_the_plan(self) -> None:
+        self.write('setup.py', """import os, sys
+from setuptools import setup
+build = sys.argv[sys.argv.index('--build-base') + 1]
+workspace, last, package, own = build.rsplit('/', 3)
+assert (last, own) == ('build', 'build')
+for name, text in {'lib/a.py': b'a = 1\\n', 'share/b/c.txt': 'é'.encode()}.items():
+    path = os.path.join(workspace, 'install', package, name)
+    os.makedirs(os.path.dirname(path))
+    with open(path, 'wb') as stream:
+        stream.write(text)
+setup(name='demo')
+""")
+        self.assertEqual(self.read()['written'], [['lib/a.py', 'a = 1\n'], ['share/b/c.txt', 'é']])
+        self.write('setup.py', (self.package / 'setup.py').read_text().replace("'é'.encode()", "b'\\xff'"))
+        shutil.rmtree(self.package.parent / 'workspace')
+        self.assertEqual(self.failure()[2], "it installs 'share/b/c.txt', which is not text")
 
     def selected(self, *lines: str) -> list[str]:
         """Files that are installed because MANIFEST.in says so."""

@@ -32,6 +32,22 @@ TEST(SetupPlan, HasFilesProgramsAndEntryPoints) {
             "[console_scripts]\ntalk = demo.a:Talker.main [extra]\n\n[demo.plugins]\nx = demo.x\n");
 }
 
+TEST(SetupPlan, HasWhatSetupPyItselfInstalls) {
+  const auto plan = read_setup_plan(
+      R"({"name": "demo", "version": "1.2", "script_folder": "bin",
+          "written": [["lib/python3.12/site-packages/demo/made.py", "x = 1\n"]]})",
+      kPlace);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->written.size(), 1U);
+  EXPECT_EQ(plan->written[0].to, "lib/python3.12/site-packages/demo/made.py");
+  EXPECT_EQ(plan->written[0].text, "x = 1\n");
+  const auto out = read_setup_plan(
+      R"({"name": "demo", "version": "1.2", "script_folder": "bin", "written": [["../x", ""]]})",
+      kPlace);
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.errors().front().why.front(), "`../x` leads out of its folder");
+}
+
 TEST(SetupPlan, NamesKeywordsThatSetupDoesNotHave) {
   const auto plan = read_setup_plan(
       R"({"name": "demo", "version": "1.2", "script_folder": "bin",

@@ -8,6 +8,7 @@
 #include "filter/ekf.hpp"
 #include "filter/estimator.hpp"
 #include "filter/readings.hpp"
+#include "geo/world_frame.hpp"
 
 namespace robot_localization {
 namespace {
@@ -286,6 +287,45 @@ TEST(LocalizationReadings, RemovesGravityOfATiltedImu) {
   Measurement measurement = with({kAx, kAy, kAz});
   take_acceleration(reading, {}, measurement);
   EXPECT_LT((measurement.values.segment<3>(kAx) - own).norm(), 1e-12);
+}
+
+TEST(LocalizationReadings, LeavesOutWhatIsNotFinite) {
+  const double nan = std::nan("");
+  TwistReading twist;
+  twist.linear << 1.0, nan, 2.0;
+  twist.covariance.diagonal() << 1, 1, nan, 1, 1, 1;
+  twist.covariance(0, 5) = nan;
+  twist.base_from_sensor = pose_of(0.0, 0.0, 0.5);
+  Measurement measurement = with({kVx, kVy, kVz, kVyaw});
+  take_twist(twist, {}, measurement);
+  EXPECT_TRUE(measurement.values.allFinite());
+  EXPECT_TRUE(measurement.covariance.allFinite());
+  EXPECT_FALSE(measurement.update[kVz]);
+  EXPECT_TRUE(measurement.update[kVyaw]);
+
+  // A first pose that has no direction must not spoil those after it.
+  PoseSource source;
+  PoseReading pose;
+  pose.is_relative = true;
+  pose.pose.linear().setConstant(nan);
+  Measurement first = with({kX, kYaw});
+  source.take(pose, {}, first);
+  EXPECT_FALSE(first.update[kYaw]);
+  pose.pose = pose_of(1.0, 0.0, 0.2);
+  Measurement second = with({kX, kYaw});
+  ASSERT_TRUE(source.take(pose, {}, second));
+  EXPECT_NEAR(second.values(kX), 1.0, 1e-12);
+  EXPECT_NEAR(second.values(kYaw), 0.2, 1e-12);
+}
+
+TEST(LocalizationReadings, PlacesTheWorldOnTheGlobe) {
+  // The robot is 3 m ahead of the origin of its world and looks north: its world looks north, too.
+  const Eigen::Isometry3d world = world_from_cartesian(
+      pose_of(3.0, 0.0, 0.0), Eigen::Vector3d(500'000, 6'000'000, 40), M_PI / 2);
+  EXPECT_LT((world * Eigen::Vector3d(500'000, 6'000'000, 40) - Eigen::Vector3d(3, 0, 0)).norm(),
+            1e-8);
+  EXPECT_LT((world * Eigen::Vector3d(500'000, 6'000'010, 40) - Eigen::Vector3d(13, 0, 0)).norm(),
+            1e-8);
 }
 
 TEST(LocalizationReadings, StaysInThePlane) {

@@ -1,4 +1,4 @@
-// What sensors report, in the frames of the filter: transforms, mounting, differences. Without ROS.
+// Readings of sensors in the frames of the filter: transforms, mounting, differences. Without ROS.
 #pragma once
 
 #include <map>
@@ -76,7 +76,7 @@ class PoseSource {
 /// off, and roll and pitch are turned with the mounting's yaw.
 Eigen::Matrix3d without_mounting(const Eigen::Matrix3d& imu, const Eigen::Matrix3d& base_from_imu);
 
-/// What an IMU that does not accelerate measures, in its own frame.
+/// The acceleration that an IMU at rest measures, in its own frame.
 Eigen::Vector3d gravity_in(const Eigen::Matrix3d& world_from_sensor, double gravity);
 
 }  // namespace robot_localization

@@ -48,8 +48,8 @@ void FilterNode::create_services() {
       "set_pose", [this](const SetPose::Request::SharedPtr request, SetPose::Response::SharedPtr) {
         set_pose(request->pose);
       }));
-  services_.push_back(create_service<Empty>(
-      "enable", [this](const Empty::Request::SharedPtr, Empty::Response::SharedPtr) { enable(); }));
+  enable_service_ = create_service<Empty>(
+      "enable", [this](const Empty::Request::SharedPtr, Empty::Response::SharedPtr) { enable(); });
   services_.push_back(create_service<Empty>(
       "reset", [this](const Empty::Request::SharedPtr, Empty::Response::SharedPtr) {
         RCLCPP_INFO(get_logger(), "Received a request to reset filter.");

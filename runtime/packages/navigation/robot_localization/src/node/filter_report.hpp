@@ -1,4 +1,4 @@
-// What a filter reports on /diagnostics: odd settings for good, odd messages once.
+// The report of a filter on /diagnostics: odd settings in each, odd messages in one.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ class FilterReport {
  public:
   using Status = diagnostic_msgs::msg::DiagnosticStatus;
 
-  /// Of a report that nobody wants nothing is stored.
+  /// Nothing is stored when no report is wanted.
   explicit FilterReport(bool is_wanted) : is_wanted_(is_wanted) {}
 
   bool is_wanted() const { return is_wanted_; }

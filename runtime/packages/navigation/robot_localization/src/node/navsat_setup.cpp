@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "filter/state.hpp"
 #include "node/navsat_transform.hpp"
 
 namespace robot_localization {

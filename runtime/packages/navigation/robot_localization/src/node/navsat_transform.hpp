@@ -56,7 +56,7 @@ class NavSatTransform : public rclcpp::Node {
   void on_fix(const Fix& message);
   void on_imu(const Imu& message);
   void on_odometry(const Odometry& message);
-  /// Takes it off for good when the transform is known.
+  /// Takes the mounting of the IMU off.
   void take_orientation(const geometry_msgs::msg::Quaternion& orientation, const std::string& frame,
                         const rclcpp::Time& stamp);
 

@@ -21,8 +21,10 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import xml.etree.ElementTree as ElementTree
+from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -36,19 +38,22 @@ SECOND_TRIES = 8
 TOGETHER = 3
 # Tests that are listed at the end of a run.
 SLOWEST = 20
-# Files of e2e and browser that take a minute or more. They begin first, so that no core is idle at the end.
-LONGEST = ("scoreboard", "page_every_panel", "libraries", "python_stop", "precompressed", "package", "tabs",
-           "python_image", "same_bytes", "page_keyboard_site", "rclcpp", "cross_language", "page_scene", "pack_trouble",
-           "direct_link", "launch_components", "site_time", "python", "rebuild", "watch", "tutorial_programs",
-           "turtlesim")
+# Files of e2e and browser that take a minute or more.
+LONGEST = ("rclcpp", "scoreboard", "libraries", "simulator_control", "launch_components", "same_bytes", "store",
+           "cross_language", "python_image", "pack_python", "launch_arguments", "clean_root", "pack_trouble", "rebuild",
+           "native_rules", "launch_container_of_several", "turtlesim", "hostile_neighbour", "ros2_control",
+           "navigation_maps", "sources")
 # A suite that takes longer than this hangs: it is asked what it waits for, and ended.
 MOST_SECONDS = 1200
+# Where files live in memory, and what tests may need there.
+IN_MEMORY = Path("/dev/shm")
+SCRATCH_BYTES = 8 << 30
 # How long it may take to answer before it is killed.
 LAST_WORDS_SECONDS = 20
 NIGHTLY = os.environ.get("ROS2WASM_NIGHTLY") == "1"
 # An ordinary run begins no further file of e2e and browser after so many minutes, counted from the start of ./dev
 # (seconds since 1970).
-MOST_MINUTES = 76
+MOST_MINUTES = 70
 BEGAN = float(os.environ.get("ROS2WASM_TEST_BEGAN") or time.time())
 # Files of e2e and browser at a time: more than there are cores, for tests also wait, for browsers and for time to pass.
 FILES_TOGETHER = 3
@@ -370,8 +375,22 @@ def run_files(long_suites: list[Suite], build: Path, environment: dict[str, str]
         return replace(counts, seconds=time.monotonic() - began)
 
     pairs = in_order(long_suites)
+    waiting = deque(enumerate(pairs))
+    results: dict[int, Counts] = {}
+
+    def work(worker: int) -> None:
+        # The first takes the long files, the others the short ones: no core is idle at the end, and a run that has
+        # not the time for all has begun most of them.
+        while waiting:
+            try:
+                place, pair = waiting.popleft() if worker == 0 else waiting.pop()
+            except IndexError:
+                return
+            results[place] = one(pair)
+
     with ThreadPoolExecutor(max_workers=FILES_TOGETHER) as pool:
-        ran = list(zip(pairs, pool.map(one, pairs), strict=True))
+        list(pool.map(work, range(FILES_TOGETHER)))
+    ran = [(pair, results[place]) for place, pair in enumerate(pairs)]
     return [counts_of_files(suite, [(file, counts) for (owner, file), counts in ran if owner is suite], build,
                             environment) for suite in long_suites]
 
@@ -395,6 +414,69 @@ def counts_of_files(suite: Suite, ran: list[tuple[str, Counts]], build: Path, en
     return counts
 
 
+def has_room(folder: Path) -> bool:
+    """Whether tests can write there and run what they write."""
+    try:
+        if shutil.disk_usage(folder).free < SCRATCH_BYTES:
+            return False
+        with tempfile.TemporaryDirectory(dir=folder) as probe:
+            script = Path(probe) / "probe"
+            script.write_text("#!/bin/sh\n")
+            script.chmod(0o755)
+            return subprocess.run([script], check=False).returncode == 0
+    except OSError:
+        return False
+
+
+@contextlib.contextmanager
+def scratch(build: Path) -> Iterator[Path]:
+    """A folder for what tests write: they make and remove hundreds of thousands of files, for which a disk may take
+    longer than for the tests. In memory where this machine has room, else below the build's folder."""
+    parent = IN_MEMORY if has_room(IN_MEMORY) else build
+    with tempfile.TemporaryDirectory(prefix="ros2wasm-tests-", dir=parent, ignore_cleanup_errors=True) as folder:
+        yield Path(folder)
+
+
+def run_suites(chosen: list[Suite], build: Path, environment: dict[str, str],
+               is_named: bool) -> list[tuple[Suite, Counts]]:
+    """Each suite with its counts. One that cannot run here is a failure where it was asked for by its name."""
+
+    def result(suite: Suite) -> Counts:
+        if suite.not_run:
+            print(f"{suite.name:12} not run: {suite.not_run}", flush=True)
+            return Counts(0, 1 if is_named else 0)
+        return run(suite, build, environment)
+
+    pairs = [suite for suite in chosen if not suite.alone]
+    alone = [suite for suite in chosen if suite.alone and not suite.files]
+    by_file = [suite for suite in chosen if suite.files]
+    with ThreadPoolExecutor(max_workers=TOGETHER) as pool:
+        results = [*pool.map(result, pairs), *map(result, alone)]
+    results += run_files(by_file, build, environment)
+    return list(zip(pairs + alone + by_file, results, strict=True))
+
+
+def say_times(ran: list[tuple[Suite, Counts]], build: Path) -> None:
+    print("\nslowest tests (s):")
+    reports = [report for suite, _ in ran for report in sorted((build / "test-reports").glob(f"{suite.name}*.xml"))]
+    for seconds, name in slowest(reports):
+        print(f"{seconds:7.1f}  {name}")
+    print("\nminutes by suite:")
+    for suite, counts in sorted(ran, key=lambda row: -row[1].seconds):
+        print(f"{counts.seconds / 60:7.1f}  {suite.name}")
+
+
+def say_gaps(ran: list[tuple[Suite, Counts]], build: Path) -> None:
+    """What was not begun, and what passed at the second try only; the latter is written to a file, too."""
+    for suite, counts in ran:
+        for file in counts.not_begun:
+            print(f"not begun: {Path(file).relative_to(ROOT)}")
+    again = [f"{suite.name}: {name}" for suite, counts in ran for name in counts.again]
+    (build / "test-reports" / "second-tries.txt").write_text("".join(f"{line}\n" for line in again))
+    for line in again:
+        print(f"passed at the second try only: {line}")
+
+
 def main() -> int:
     # Shells have what they start in the background ignore it, and tests are about it.
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -404,46 +486,21 @@ def main() -> int:
     parser.add_argument("filter", nargs="*", help="names of suites; all when none is given")
     options = parser.parse_args()
     build = options.build.resolve()
-    cache = build / "test-cache"
-    for earlier in (cache, build / "test-reports"):
-        shutil.rmtree(earlier, ignore_errors=True)
-    environment = dict(os.environ, ROS2WASM_BUILD=str(build), ROS2WASM_CLI=str(build / "ros2wasm"),
-                       ROS2WASM_CONDA_DATA=str(conda_data()), ROS2WASM_TEST_CACHE=str(cache))
+    shutil.rmtree(build / "test-reports", ignore_errors=True)
     rows = suites(build, options.bless)
     unknown = set(options.filter) - {suite.name for suite in rows}
     if unknown:
         parser.error(f"no such suite: {', '.join(sorted(unknown))}; there are {', '.join(s.name for s in rows)}")
     chosen = chosen_of(rows, options.filter, NIGHTLY)
-
-    def result(suite: Suite) -> Counts:
-        if suite.not_run:
-            print(f"{suite.name:12} not run: {suite.not_run}", flush=True)
-            return Counts(0, 1 if options.filter else 0)
-        return run(suite, build, environment)
-
-    pairs = [suite for suite in chosen if not suite.alone]
-    alone = [suite for suite in chosen if suite.alone and not suite.files]
-    by_file = [suite for suite in chosen if suite.files]
-    with ThreadPoolExecutor(max_workers=TOGETHER) as pool:
-        results = [*pool.map(result, pairs), *map(result, alone)]
-    results += run_files(by_file, build, environment)
-    passed = sum(r.passed for r in results)
-    failed = sum(r.failed + r.skipped for r in results)
-    ran = list(zip(pairs + alone + by_file, results, strict=True))
-    print("\nslowest tests (s):")
-    reports = [report for suite, _ in ran for report in sorted((build / "test-reports").glob(f"{suite.name}*.xml"))]
-    for seconds, name in slowest(reports):
-        print(f"{seconds:7.1f}  {name}")
-    print("\nminutes by suite:")
-    for suite, counts in sorted(ran, key=lambda row: -row[1].seconds):
-        print(f"{counts.seconds / 60:7.1f}  {suite.name}")
-    for suite, counts in ran:
-        for file in counts.not_begun:
-            print(f"not begun: {Path(file).relative_to(ROOT)}")
-    again = [f"{suite.name}: {name}" for suite, counts in ran for name in counts.again]
-    (build / "test-reports" / "second-tries.txt").write_text("".join(f"{line}\n" for line in again))
-    for line in again:
-        print(f"passed at the second try only: {line}")
+    with scratch(build) as folder:
+        environment = dict(os.environ, ROS2WASM_BUILD=str(build), ROS2WASM_CLI=str(build / "ros2wasm"),
+                           ROS2WASM_CONDA_DATA=str(conda_data()), ROS2WASM_TEST_CACHE=str(folder / "cache"),
+                           TMPDIR=str(folder))
+        ran = run_suites(chosen, build, environment, bool(options.filter))
+    say_times(ran, build)
+    say_gaps(ran, build)
+    passed = sum(counts.passed for _, counts in ran)
+    failed = sum(counts.failed + counts.skipped for _, counts in ran)
     if not NIGHTLY and not options.filter:
         print("an ordinary run; ROS2WASM_NIGHTLY=1 also fuzzes, and plays scenes on every link and in every host")
     print(f"{passed} passed, {failed} failed")

@@ -14,13 +14,11 @@ import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
 import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
 import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
-import { useCameras } from './parts/use_cameras.ts';
-import { useCvWindows } from './parts/use_cv_windows.ts';
-import { useFigures } from './parts/use_figures.ts';
 import { useFocus } from './parts/use_focus.ts';
-import { useGamepadWish } from './parts/use_gamepad_wish.ts';
 import { useLoaded } from './parts/use_loaded.ts';
 import { useLayout } from './parts/use_layout.ts';
+import { useVisitorTopics } from './parts/use_visitor_topics.ts';
+import type { VisitorLinksProps } from './parts/visitor_links.tsx';
 import { useNodes, useMedia } from './parts/watch.ts';
 import type { EmbedView } from './model/embed_link.ts';
 import { tabsOf } from './model/layout.ts';
@@ -51,11 +49,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   useEmbedTheme(embed, store, session.site.ui['theme']);
   useNodeNews(session, announce);
   useTaskNews(session, store, announce);
-  useCvWindows(session, embed === null, (panel, state) => void control.open(null, panel, state));
   const tabs = useMemo(() => tabsOf(control.layout.root), [control.layout]);
-  useFigures(session, embed === null, tabs, (panel, state) => void control.open(null, panel, state));
-  // Also while no panel shows them: a topic opened later has its last message.
-  useEffect(() => session.onTopics(() => undefined), [session]);
 
   const { open } = control;
   const newestOpen = useRef(open);
@@ -131,8 +125,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
           <IconButton icon="close" label={texts.layout.dismiss} onClick={control.dismiss} />
         </div>
       )}
-      <Cameras session={session} />
-      <Gamepads session={session} />
+      <Visitor session={session} tabs={tabs} open={embed === null ? (panel, state) => void control.open(null, panel, state) : null} />
       <SourceLinksContext.Provider value={sources}>
         <Dock control={control} narrow={narrow} bare={embed !== null} show={show} />
       </SourceLinksContext.Provider>
@@ -183,18 +176,10 @@ function useTaskNews(session: Session, store: Store | null, announce: (text: str
   }, [session, store, announce]);
 }
 
-/** Asks for the visitor's camera when a program requests it. The code is loaded at the first request. */
-function Cameras({ session }: { readonly session: Session; }) {
-  const numbers = useCameras(session);
-  const code = useLoaded(numbers.length > 0, () => import('./parts/camera_bar.tsx'));
-  return code === null ? null : numbers.map((number) => <code.CameraBar key={number} session={session} number={number} />);
-}
-
-/** Reads the visitor's gamepads while nodes wait for them. The code is loaded for the first such node. */
-function Gamepads({ session }: { readonly session: Session; }) {
-  const isWanted = useGamepadWish(session);
-  const code = useLoaded(isWanted, () => import('./parts/gamepad_link.ts'));
-  return code === null ? null : <code.GamepadLink session={session} />;
+/** The links of nodes with the visitor. The code comes with the first topic for it. */
+function Visitor(props: VisitorLinksProps) {
+  const code = useLoaded(useVisitorTopics(props.session), () => import('./parts/visitor_links.tsx'));
+  return code === null ? null : <code.VisitorLinks {...props} />;
 }
 
 /** Its code comes when it is first opened. */

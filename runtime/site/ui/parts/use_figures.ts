@@ -1,7 +1,7 @@
 // Opens a Figure panel for each new figure. When the visitor closes the panel, the figure is closed in its program, too.
 
 import { useEffect, useRef } from 'preact/hooks';
-import type { Session } from '../../contract/session.ts';
+import type { Session, TopicView } from '../../contract/session.ts';
 import { figuresOf } from '../model/figure_topics.ts';
 import { textMember } from '../model/json.ts';
 import type { Json } from '../model/json.ts';
@@ -10,19 +10,21 @@ import { codecOf } from './message_feed.ts';
 
 const PANEL = 'figure';
 
-export function useFigures(session: Session, wanted: boolean, tabs: readonly PanelTab[], open: (panel: string, state: Json) => void): void {
+/** `open` null: no panel is opened. */
+export function useFigures(session: Session, tabs: readonly PanelTab[], open: ((panel: string, state: Json) => void) | null): void {
   const newest = useRef(open);
   newest.current = open;
   const shown = useRef<readonly string[]>([]);
   useEffect(() => {
-    if (!wanted) return undefined;
     let before = new Set<string>();
-    return session.onTopics((topics) => {
+    const follow = (topics: readonly TopicView[]): void => {
       const now = figuresOf(topics);
-      for (const topic of now) if (!before.has(topic)) newest.current(PANEL, { topic });
+      for (const topic of now) if (!before.has(topic)) newest.current?.(PANEL, { topic });
       before = new Set(now);
-    });
-  }, [session, wanted]);
+    };
+    follow(session.topics());
+    return session.onTopics(follow);
+  }, [session]);
   useEffect(() => {
     const now = tabs.filter(({ panel }) => panel === PANEL).map(({ state }) => textMember(state, 'topic'));
     const closed = shown.current.filter((topic) => !now.includes(topic));

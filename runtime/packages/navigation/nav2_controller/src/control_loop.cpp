@@ -293,14 +293,18 @@ void ControllerServer::computeAndPublishVelocity() {
 void ControllerServer::publishFeedback(const PoseStamped& pose, const Twist& velocity) {
   auto feedback = std::make_shared<Action::Feedback>();
   feedback->speed = static_cast<float>(std::hypot(velocity.linear.x, velocity.linear.y));
-  const auto distance_of = [&pose](const PoseStamped& one) {
-    return nav2_util::geometry_utils::euclidean_distance(pose, one);
+  // The path may be in another frame than the local costmap.
+  PoseStamped robot = pose;
+  nav2_util::transformPoseInTargetFrame(pose, robot, *costmap_ros_->getTfBuffer(),
+                                        current_path_.header.frame_id,
+                                        costmap_ros_->getTransformTolerance());
+  const auto distance_of = [&robot](const PoseStamped& one) {
+    return nav2_util::geometry_utils::euclidean_distance(robot, one);
   };
   const auto& poses = current_path_.poses;
-  const auto nearest =
-      std::min_element(poses.begin(), poses.end(), [&](const PoseStamped& a, const PoseStamped& b) {
-        return distance_of(a) < distance_of(b);
-      });
+  const auto nearest = std::min_element(
+      poses.begin(), poses.end(),
+      [&](const PoseStamped& a, const PoseStamped& b) { return distance_of(a) < distance_of(b); });
   feedback->distance_to_goal = static_cast<float>(nav2_util::geometry_utils::calculate_path_length(
       current_path_, static_cast<size_t>(nearest - poses.begin())));
   action_server_->publish_feedback(feedback);

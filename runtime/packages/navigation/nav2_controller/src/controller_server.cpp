@@ -63,7 +63,8 @@ ControllerServer::~ControllerServer() {
 
 void ControllerServer::declareDefaultTypes() {
   for (const DefaultPlugin& one : kDefaults) {
-    if (get_parameter(one.parameter).as_string_array() != std::vector<std::string>{one.name}) continue;
+    if (get_parameter(one.parameter).as_string_array() != std::vector<std::string>{one.name})
+      continue;
     declare_parameter_if_not_declared(this, std::string(one.name) + ".plugin",
                                       rclcpp::ParameterValue(one.type));
   }

@@ -48,8 +48,7 @@ void InflationLayer::matchSize() {
   resolution_ = costmap->getResolution();
   cell_inflation_radius_ = cellDistance(inflation_radius_);
   computeCaches();
-  seen_.assign(static_cast<size_t>(costmap->getSizeInCellsX()) * costmap->getSizeInCellsY(),
-               false);
+  seen_.assign(static_cast<size_t>(costmap->getSizeInCellsX()) * costmap->getSizeInCellsY(), false);
 }
 
 void InflationLayer::computeCaches() {
@@ -104,8 +103,8 @@ void InflationLayer::updateBounds(double, double, double, double* min_x, double*
   *max_y = maxy + inflation_radius_;
 }
 
-void InflationLayer::collectObstacles(const Costmap2D& master_grid, int min_i, int min_j,
-                                      int max_i, int max_j) {
+void InflationLayer::collectObstacles(const Costmap2D& master_grid, int min_i, int min_j, int max_i,
+                                      int max_j) {
   for (auto& cells : inflation_cells_) cells.clear();
   // Obstacles outside of the part count as far as their costs reach into it.
   const int radius = static_cast<int>(cell_inflation_radius_);

@@ -95,8 +95,8 @@ void ObstacleLayer::addSource(const std::string& source) {
 
   auto buffer = std::make_shared<ObservationBuffer>(
       node_, topic, persistence, expected_rate, lowest, highest, obstacle_max_range,
-      obstacle_min_range, raytrace_max_range, raytrace_min_range, *tf_, global_frame_,
-      sensor_frame, tf2::durationFromSec(tolerance));
+      obstacle_min_range, raytrace_max_range, raytrace_min_range, *tf_, global_frame_, sensor_frame,
+      tf2::durationFromSec(tolerance));
   observation_buffers_.push_back(buffer);
   if (marking) marking_buffers_.push_back(buffer);
   if (clearing) clearing_buffers_.push_back(buffer);
@@ -265,8 +265,7 @@ bool ObstacleLayer::getMarkingObservations(std::vector<Observation>& marking_obs
   return collect(marking_buffers_, static_marking_observations_, marking_observations);
 }
 
-bool ObstacleLayer::getClearingObservations(
-    std::vector<Observation>& clearing_observations) const {
+bool ObstacleLayer::getClearingObservations(std::vector<Observation>& clearing_observations) const {
   return collect(clearing_buffers_, static_clearing_observations_, clearing_observations);
 }
 
@@ -318,8 +317,8 @@ void ObstacleLayer::markObservation(const Observation& observation, double* min_
   }
 }
 
-void ObstacleLayer::updateFootprint(double robot_x, double robot_y, double robot_yaw,
-                                    double* min_x, double* min_y, double* max_x, double* max_y) {
+void ObstacleLayer::updateFootprint(double robot_x, double robot_y, double robot_yaw, double* min_x,
+                                    double* min_y, double* max_x, double* max_y) {
   if (!footprint_clearing_enabled_) return;
   transformFootprint(robot_x, robot_y, robot_yaw, getFootprint(), transformed_footprint_);
   for (const auto& point : transformed_footprint_) {

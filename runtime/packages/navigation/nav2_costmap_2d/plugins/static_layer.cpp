@@ -66,8 +66,7 @@ void StaticLayer::getParameters() {
   node->get_parameter(getFullName("enabled"), enabled_);
   node->get_parameter(getFullName("subscribe_to_updates"), subscribe_to_updates_);
   node->get_parameter(getFullName("footprint_clearing_enabled"), footprint_clearing_enabled_);
-  node->get_parameter(getFullName("map_subscribe_transient_local"),
-                      map_subscribe_transient_local_);
+  node->get_parameter(getFullName("map_subscribe_transient_local"), map_subscribe_transient_local_);
   node->get_parameter(getFullName("map_topic"), map_topic_);
   if (map_topic_.empty()) node->get_parameter("map_topic", map_topic_);
   node->get_parameter("track_unknown_space", track_unknown_space_);

@@ -76,8 +76,8 @@ void VoxelLayer::updateOrigin(double new_origin_x, double new_origin_y) {
   const int dy = static_cast<int>((new_origin_y - origin_y_) / resolution_);
   const int width = static_cast<int>(size_x_);
   const int height = static_cast<int>(size_y_);
-  const std::vector<uint32_t> before(voxel_grid_.getData(),
-                                     voxel_grid_.getData() + static_cast<size_t>(size_x_) * size_y_);
+  const std::vector<uint32_t> before(
+      voxel_grid_.getData(), voxel_grid_.getData() + static_cast<size_t>(size_x_) * size_y_);
   Costmap2D::updateOrigin(new_origin_x, new_origin_y);
   voxel_grid_.reset();
   for (int y = std::max(0, -dy); y < std::min(height, height - dy); ++y) {
@@ -182,10 +182,9 @@ void VoxelLayer::raytraceFreespace(const Observation& clearing_observation, doub
     double py;
     double pz;
     if (!worldToMap3DFloat(wx, wy, wz, px, py, pz)) continue;
-    voxel_grid_.clearVoxelLineInMap(sx, sy, sz, px, py, pz, costmap_,
-                                    static_cast<unsigned int>(unknown_threshold_),
-                                    static_cast<unsigned int>(mark_threshold_), FREE_SPACE,
-                                    NO_INFORMATION, longest, shortest);
+    voxel_grid_.clearVoxelLineInMap(
+        sx, sy, sz, px, py, pz, costmap_, static_cast<unsigned int>(unknown_threshold_),
+        static_cast<unsigned int>(mark_threshold_), FREE_SPACE, NO_INFORMATION, longest, shortest);
     updateRaytraceBounds(origin.x, origin.y, wx, wy, clearing_observation.raytrace_max_range_,
                          clearing_observation.raytrace_min_range_, min_x, min_y, max_x, max_y);
   }
@@ -232,8 +231,9 @@ rcl_interfaces::msg::SetParametersResult VoxelLayer::dynamicParametersCallback(
         is_resized = true;
       }
     } else if (name == getFullName("publish_voxel_map")) {
-      RCLCPP_WARN(logger_, "publish voxel map is not a dynamic parameter cannot be changed while "
-                           "running. Rejecting parameter update.");
+      RCLCPP_WARN(logger_,
+                  "publish voxel map is not a dynamic parameter cannot be changed while "
+                  "running. Rejecting parameter update.");
     }
   }
   if (is_resized) matchSize();

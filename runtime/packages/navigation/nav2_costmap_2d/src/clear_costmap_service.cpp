@@ -52,8 +52,7 @@ void ClearCostmapService::clearAroundPose(const geometry_msgs::msg::PoseStamped&
   geometry_msgs::msg::PoseStamped global;
   try {
     global = costmap_.getTfBuffer()->transform(
-        pose, costmap_.getGlobalFrameID(),
-        tf2::durationFromSec(costmap_.getTransformTolerance()));
+        pose, costmap_.getGlobalFrameID(), tf2::durationFromSec(costmap_.getTransformTolerance()));
   } catch (const tf2::TransformException& error) {
     RCLCPP_ERROR(logger_,
                  "Cannot clear map around pose because pose cannot be transformed to costmap "

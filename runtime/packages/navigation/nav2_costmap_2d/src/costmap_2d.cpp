@@ -123,8 +123,7 @@ bool Costmap2D::copyCostmapWindow(const Costmap2D& map, double win_origin_x, dou
 }
 
 bool Costmap2D::copyWindow(const Costmap2D& source, unsigned int sx0, unsigned int sy0,
-                           unsigned int sxn, unsigned int syn, unsigned int dx0,
-                           unsigned int dy0) {
+                           unsigned int sxn, unsigned int syn, unsigned int dx0, unsigned int dy0) {
   const unsigned int width = sxn - sx0;
   const unsigned int height = syn - sy0;
   if (sxn > source.size_x_ || syn > source.size_y_ || sx0 > sxn || sy0 > syn ||
@@ -251,9 +250,8 @@ bool Costmap2D::cellsOf(const std::vector<geometry_msgs::msg::Point>& polygon,
   return true;
 }
 
-bool Costmap2D::getMapRegionOccupiedByPolygon(
-    const std::vector<geometry_msgs::msg::Point>& polygon,
-    std::vector<MapLocation>& polygon_map_region) {
+bool Costmap2D::getMapRegionOccupiedByPolygon(const std::vector<geometry_msgs::msg::Point>& polygon,
+                                              std::vector<MapLocation>& polygon_map_region) {
   std::vector<MapLocation> corners;
   if (!cellsOf(polygon, corners)) return false;
   convexFillCells(corners, polygon_map_region);

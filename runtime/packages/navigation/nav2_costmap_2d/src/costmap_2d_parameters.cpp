@@ -82,17 +82,20 @@ void Costmap2DROS::getParameters() {
     }
   }
   if (map_width_meters_ <= 0) {
-    throw std::runtime_error("You try to set width of map to be negative or zero, this isn't "
-                             "allowed, please give a positive value.");
+    throw std::runtime_error(
+        "You try to set width of map to be negative or zero, this isn't "
+        "allowed, please give a positive value.");
   }
   if (map_height_meters_ <= 0) {
-    throw std::runtime_error("You try to set height of map to be negative or zero, this isn't "
-                             "allowed, please give a positive value.");
+    throw std::runtime_error(
+        "You try to set height of map to be negative or zero, this isn't "
+        "allowed, please give a positive value.");
   }
   const double cells = map_width_meters_ / resolution_ * (map_height_meters_ / resolution_);
   if (!(resolution_ > 0) || cells > kMostCells) {
-    throw std::runtime_error("The parameter resolution must be a length in metres with which the "
-                             "costmap has at most 100,000,000 cells");
+    throw std::runtime_error(
+        "The parameter resolution must be a length in metres with which the "
+        "costmap has at most 100,000,000 cells");
   }
 }
 
@@ -111,8 +114,8 @@ std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, boo
         transform_tolerance_ = value;
       } else if (name == "publish_frequency") {
         map_publish_frequency_ = value;
-        publish_cycle_ = value > 0 ? rclcpp::Duration::from_seconds(1 / value)
-                                   : rclcpp::Duration(-1, 0);
+        publish_cycle_ =
+            value > 0 ? rclcpp::Duration::from_seconds(1 / value) : rclcpp::Duration(-1, 0);
       } else if (name == "resolution") {
         if (!(value > 0)) return "resolution must be greater than 0";
         resolution_ = value;
@@ -127,8 +130,9 @@ std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, boo
       return "";
     }
     case rclcpp::ParameterType::PARAMETER_INTEGER: {
-      int* size = name == "width" ? &map_width_meters_ : name == "height" ? &map_height_meters_
-                                                                         : nullptr;
+      int* size = name == "width"    ? &map_width_meters_
+                  : name == "height" ? &map_height_meters_
+                                     : nullptr;
       if (size == nullptr) return "";
       if (parameter.as_int() <= 0) {
         return "You try to set " + name +

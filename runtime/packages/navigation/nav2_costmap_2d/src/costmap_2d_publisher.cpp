@@ -78,8 +78,8 @@ void Costmap2DPublisher::on_deactivate() {
 bool Costmap2DPublisher::isMoved() const {
   return grid_resolution_ != costmap_->getResolution() ||
          grid_width_ != costmap_->getSizeInCellsX() ||
-         grid_height_ != costmap_->getSizeInCellsY() ||
-         saved_origin_x_ != costmap_->getOriginX() || saved_origin_y_ != costmap_->getOriginY();
+         grid_height_ != costmap_->getSizeInCellsY() || saved_origin_x_ != costmap_->getOriginX() ||
+         saved_origin_y_ != costmap_->getOriginY();
 }
 
 void Costmap2DPublisher::rememberPlace() {

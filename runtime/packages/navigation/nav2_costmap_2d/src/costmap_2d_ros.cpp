@@ -145,8 +145,8 @@ void Costmap2DROS::makePublishers() {
     const auto costs = std::dynamic_pointer_cast<CostmapLayer>(layer);
     if (!costs) continue;
     layer_publishers_.push_back(std::make_unique<Costmap2DPublisher>(
-        shared_from_this(), costs.get(), global_frame_, layer->getName(),
-        always_send_full_costmap_, map_vis_z_));
+        shared_from_this(), costs.get(), global_frame_, layer->getName(), always_send_full_costmap_,
+        map_vis_z_));
   }
 }
 
@@ -339,8 +339,8 @@ void Costmap2DROS::getOrientedFootprint(
     std::vector<geometry_msgs::msg::Point>& oriented_footprint) {
   geometry_msgs::msg::PoseStamped pose;
   if (!getRobotPose(pose)) return;
-  transformFootprint(pose.pose.position.x, pose.pose.position.y,
-                     tf2::getYaw(pose.pose.orientation), padded_footprint_, oriented_footprint);
+  transformFootprint(pose.pose.position.x, pose.pose.position.y, tf2::getYaw(pose.pose.orientation),
+                     padded_footprint_, oriented_footprint);
 }
 
 void Costmap2DROS::setRobotFootprint(const std::vector<geometry_msgs::msg::Point>& points) {

@@ -107,8 +107,7 @@ void LayeredCostmap::widenBounds(const Layers& layers, const char* kind, double 
     RCLCPP_WARN(logger(),
                 "Illegal bounds change, was [tl: (%f, %f), br: (%f, %f)], but is now "
                 "[tl: (%f, %f), br: (%f, %f)]. The offending %s is %s",
-                minx, miny, maxx, maxy, minx_, miny_, maxx_, maxy_, kind,
-                layer->getName().c_str());
+                minx, miny, maxx, maxy, minx_, miny_, maxx_, maxy_, kind, layer->getName().c_str());
   }
 }
 

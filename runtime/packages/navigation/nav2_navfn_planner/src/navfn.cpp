@@ -40,8 +40,10 @@ void NavFn::setCostmap(const unsigned char* costs, bool allow_unknown) {
   std::transform(costs, costs + costs_.size(), costs_.begin(),
                  [allow_unknown](unsigned char cost) { return work_of(cost, allow_unknown); });
   // The border stops all that spreads: no neighbour is outside of the grid.
-  for (int x = 0; x < nx_; ++x) costs_[index_of({x, 0})] = costs_[index_of({x, ny_ - 1})] = kObstacle;
-  for (int y = 0; y < ny_; ++y) costs_[index_of({0, y})] = costs_[index_of({nx_ - 1, y})] = kObstacle;
+  for (int x = 0; x < nx_; ++x)
+    costs_[index_of({x, 0})] = costs_[index_of({x, ny_ - 1})] = kObstacle;
+  for (int y = 0; y < ny_; ++y)
+    costs_[index_of({0, y})] = costs_[index_of({nx_ - 1, y})] = kObstacle;
 }
 
 float NavFn::heuristic(size_t index, Cell to) const {
@@ -163,9 +165,8 @@ std::array<size_t, 9> NavFn::surroundings(size_t index) const {
 
 size_t NavFn::lowest_neighbour(size_t index) const {
   const auto cells = surroundings(index);
-  return *std::min_element(cells.begin(), cells.end(), [this](size_t a, size_t b) {
-    return potentials_[a] < potentials_[b];
-  });
+  return *std::min_element(cells.begin(), cells.end(),
+                           [this](size_t a, size_t b) { return potentials_[a] < potentials_[b]; });
 }
 
 bool NavFn::has_high_neighbour(size_t index) const {

@@ -41,8 +41,9 @@ CallbackReturn PlannerServer::on_configure(const rclcpp_lifecycle::State& state)
   costmap_ros_->configure();
   costmap_ = costmap_ros_->getCostmap();
   if (!costmap_ros_->getUseRadius()) {
-    collision_checker_ = std::make_unique<
-        nav2_costmap_2d::FootprintCollisionChecker<nav2_costmap_2d::Costmap2D*>>(costmap_);
+    collision_checker_ =
+        std::make_unique<nav2_costmap_2d::FootprintCollisionChecker<nav2_costmap_2d::Costmap2D*>>(
+            costmap_);
   }
   costmap_thread_ = std::make_unique<nav2_util::NodeThread>(costmap_ros_);
   RCLCPP_DEBUG(get_logger(), "Costmap size: %d,%d", costmap_->getSizeInCellsX(),
@@ -110,8 +111,8 @@ CallbackReturn PlannerServer::on_activate(const rclcpp_lifecycle::State&) {
   for (const auto& [id, planner] : planners_) planner->activate();
   using Service = nav2_msgs::srv::IsPathValid;
   is_path_valid_service_ = create_service<Service>(
-      "is_path_valid", [this](const Service::Request::SharedPtr request,
-                              Service::Response::SharedPtr response) {
+      "is_path_valid",
+      [this](const Service::Request::SharedPtr request, Service::Response::SharedPtr response) {
         isPathValid(request, response);
       });
   dyn_params_handler_ =

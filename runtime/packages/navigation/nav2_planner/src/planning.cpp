@@ -111,8 +111,7 @@ void PlannerServer::answer(Server<ActionT>& server, PlanT plan) {
     RCLCPP_INFO(get_logger(), "Goal was canceled. Canceling planning action.");
     server.terminate_all();
   } catch (const std::exception& error) {
-    RCLCPP_WARN(get_logger(),
-                "%s plugin failed to plan from (%.2f, %.2f) to (%0.2f, %.2f): \"%s\"",
+    RCLCPP_WARN(get_logger(), "%s plugin failed to plan from (%.2f, %.2f) to (%0.2f, %.2f): \"%s\"",
                 goal->planner_id.c_str(), last_start_.pose.position.x, last_start_.pose.position.y,
                 last_goal_.pose.position.x, last_goal_.pose.position.y, error.what());
     result->error_code = code_of<typename ActionT::Result>(error);
@@ -189,15 +188,14 @@ bool PlannerServer::isPoseFree(const geometry_msgs::msg::Pose& pose) const {
     return cost != nav2_costmap_2d::LETHAL_OBSTACLE &&
            cost != nav2_costmap_2d::INSCRIBED_INFLATED_OBSTACLE;
   }
-  const double cost = collision_checker_->footprintCostAtPose(
-      pose.position.x, pose.position.y, tf2::getYaw(pose.orientation),
-      costmap_ros_->getRobotFootprint());
+  const double cost = collision_checker_->footprintCostAtPose(pose.position.x, pose.position.y,
+                                                              tf2::getYaw(pose.orientation),
+                                                              costmap_ros_->getRobotFootprint());
   return cost != nav2_costmap_2d::LETHAL_OBSTACLE;
 }
 
-void PlannerServer::isPathValid(
-    const std::shared_ptr<nav2_msgs::srv::IsPathValid::Request> request,
-    std::shared_ptr<nav2_msgs::srv::IsPathValid::Response> response) {
+void PlannerServer::isPathValid(const std::shared_ptr<nav2_msgs::srv::IsPathValid::Request> request,
+                                std::shared_ptr<nav2_msgs::srv::IsPathValid::Response> response) {
   const auto& poses = request->path.poses;
   response->is_valid = !poses.empty();
   Pose robot;
@@ -206,13 +204,12 @@ void PlannerServer::isPathValid(
   const auto distance_of = [&robot](const Pose& pose) {
     return nav2_util::geometry_utils::euclidean_distance(robot.pose, pose.pose);
   };
-  const auto nearest =
-      std::min_element(poses.begin(), poses.end(), [&](const Pose& a, const Pose& b) {
-        return distance_of(a) < distance_of(b);
-      });
+  const auto nearest = std::min_element(
+      poses.begin(), poses.end(),
+      [&](const Pose& a, const Pose& b) { return distance_of(a) < distance_of(b); });
   const std::unique_lock<nav2_costmap_2d::Costmap2D::mutex_t> lock(*costmap_->getMutex());
-  response->is_valid = std::all_of(nearest, poses.end(),
-                                   [this](const Pose& pose) { return isPoseFree(pose.pose); });
+  response->is_valid =
+      std::all_of(nearest, poses.end(), [this](const Pose& pose) { return isPoseFree(pose.pose); });
 }
 
 }  // namespace nav2_planner

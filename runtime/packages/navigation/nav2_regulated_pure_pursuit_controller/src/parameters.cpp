@@ -9,7 +9,7 @@ namespace {
 
 struct NumberRow {
   const char* name;
-  double Parameters::* value;
+  double Parameters::*value;
 };
 constexpr NumberRow kNumbers[] = {
     {"desired_linear_vel", &Parameters::desired_linear_vel},
@@ -37,7 +37,7 @@ constexpr NumberRow kNumbers[] = {
 
 struct SwitchRow {
   const char* name;
-  bool Parameters::* value;
+  bool Parameters::*value;
 };
 constexpr SwitchRow kSwitches[] = {
     {"use_velocity_scaled_lookahead_dist", &Parameters::use_velocity_scaled_lookahead_dist},

@@ -29,15 +29,14 @@ nav_msgs::msg::Path RegulatedPurePursuitController::planAhead(const PoseStamped&
   }
   const PoseStamped robot = transformed(pose, global_plan_.header.frame_id);
   // The robot is not looked for beyond a length of the path: it may come back to this place.
-  const auto search_end =
-      first_after_integrated_distance(poses.begin(), poses.end(), params_.max_robot_pose_search_dist);
+  const auto search_end = first_after_integrated_distance(poses.begin(), poses.end(),
+                                                          params_.max_robot_pose_search_dist);
   auto nearest = min_by(poses.begin(), search_end, [&robot](const PoseStamped& one) {
     return euclidean_distance(robot, one);
   });
   // At least two poses, as the path needs a direction.
   if (nearest != poses.begin() && nearest == std::prev(search_end) && poses.size() > 1) --nearest;
-  const double extent =
-      std::max(costmap_->getSizeInMetersX(), costmap_->getSizeInMetersY()) / 2.0;
+  const double extent = std::max(costmap_->getSizeInMetersX(), costmap_->getSizeInMetersY()) / 2.0;
   const auto end = std::find_if(nearest, poses.end(), [&](const PoseStamped& one) {
     return euclidean_distance(one, robot) > extent;
   });

@@ -50,8 +50,7 @@ double speed_of_approach(double speed, double left, double end, double begin_at,
   return std::min(speed, std::max(speed * share, least));
 }
 
-double speed_of_turn(double angle, double present, double fastest, double acceleration,
-                     double dt) {
+double speed_of_turn(double angle, double present, double fastest, double acceleration, double dt) {
   const double sign = angle > 0.0 ? 1.0 : -1.0;
   const double reached =
       std::clamp(sign * fastest, present - acceleration * dt, present + acceleration * dt);

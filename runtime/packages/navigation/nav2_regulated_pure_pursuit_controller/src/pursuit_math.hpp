@@ -1,5 +1,5 @@
-// The formulas of regulated pure pursuit, without ROS. Points are in the frame of the robot: x ahead, y to
-// the left, in metres.
+// The formulas of regulated pure pursuit, without ROS. Points are in the frame of the robot: x
+// ahead, y to the left, in metres.
 #pragma once
 
 namespace nav2_regulated_pure_pursuit_controller {
@@ -26,11 +26,11 @@ struct CostRule {
 /// Slower near obstacles: `cost` is that of an inflated costmap, from which the distance follows.
 double speed_near_obstacles(double speed, double cost, const CostRule& rule);
 
-/// Slower as the last pose comes near, but not below `least`. `left` is the length of the rest of the
-/// path, `end` the distance of its last pose.
+/// Slower as the last pose comes near, but not below `least`. `left` is the length of the rest of
+/// the path, `end` the distance of its last pose.
 double speed_of_approach(double speed, double left, double end, double begin_at, double least);
-/// The speed [rad/s] to turn by an angle [rad]: as fast as `fastest`, reached from the present speed by
-/// an acceleration over `dt` [s], and such that the robot can stop in time.
+/// The speed [rad/s] to turn by an angle [rad]: as fast as `fastest`, reached from the present
+/// speed by an acceleration over `dt` [s], and such that the robot can stop in time.
 double speed_of_turn(double angle, double present, double fastest, double acceleration, double dt);
 
 }  // namespace nav2_regulated_pure_pursuit_controller

@@ -176,9 +176,9 @@ RegulatedPurePursuitController::Speeds RegulatedPurePursuitController::speedsFor
   const double direction = params_.allow_reversing && carrot.x < 0.0 ? -1.0 : 1.0;
   const auto turn = [&](double angle) {
     is_rotating_to_heading_ = true;
-    return Speeds{0.0, speed_of_turn(angle, velocity.angular.z,
-                                     params_.rotate_to_heading_angular_vel,
-                                     params_.max_angular_accel, control_duration_)};
+    return Speeds{0.0,
+                  speed_of_turn(angle, velocity.angular.z, params_.rotate_to_heading_angular_vel,
+                                params_.max_angular_accel, control_duration_)};
   };
   if (turnsToGoal(carrot)) return turn(tf2::getYaw(path.poses.back().pose.orientation));
   double angle = std::atan2(curvature_carrot.y, curvature_carrot.x);
@@ -215,10 +215,9 @@ double RegulatedPurePursuitController::drivingSpeed(const PoseStamped& pose, con
     speed = std::min(speed, speed_near_obstacles(params_.desired_linear_vel, cost, rule));
   }
   speed = std::max(speed, params_.regulated_linear_scaling_min_speed);
-  speed = speed_of_approach(speed, calculate_path_length(path),
-                            distance_of(path.poses.back().pose.position),
-                            params_.approach_velocity_scaling_dist,
-                            params_.min_approach_linear_velocity);
+  speed = speed_of_approach(
+      speed, calculate_path_length(path), distance_of(path.poses.back().pose.position),
+      params_.approach_velocity_scaling_dist, params_.min_approach_linear_velocity);
   return std::clamp(std::abs(speed), 0.0, std::max(0.0, params_.desired_linear_vel));
 }
 
@@ -293,8 +292,8 @@ bool RegulatedPurePursuitController::isCollisionImminent(const PoseStamped& pose
   arc.header.frame_id = costmap_ros_->getGlobalFrameID();
   arc.header.stamp = pose.header.stamp;
   bool collides = false;
-  for (double time = step;
-       !collides && time < params_.max_allowed_time_to_collision_up_to_carrot; time += step) {
+  for (double time = step; !collides && time < params_.max_allowed_time_to_collision_up_to_carrot;
+       time += step) {
     next.x += step * speeds.linear * std::cos(next.theta);
     next.y += step * speeds.linear * std::sin(next.theta);
     next.theta += step * speeds.angular;
@@ -322,8 +321,7 @@ bool RegulatedPurePursuitController::isInCollision(double x, double y, double th
                          "robot, or increase your costmap size.");
     return false;
   }
-  const double cost =
-      checker_->footprintCostAtPose(x, y, theta, costmap_ros_->getRobotFootprint());
+  const double cost = checker_->footprintCostAtPose(x, y, theta, costmap_ros_->getRobotFootprint());
   if (cost == nav2_costmap_2d::NO_INFORMATION &&
       costmap_ros_->getLayeredCostmap()->isTrackingUnknown()) {
     return false;

@@ -43,8 +43,8 @@ void VoxelGrid::markVoxelLine(double x0, double y0, double z0, double x1, double
 
 void VoxelGrid::clearVoxelLine(double x0, double y0, double z0, double x1, double y1, double z1,
                                unsigned int max_length, unsigned int min_length) {
-  raytraceLine([this](unsigned int index, uint32_t mask) { data_[index] &= ~mask; }, x0, y0, z0,
-               x1, y1, z1, max_length, min_length);
+  raytraceLine([this](unsigned int index, uint32_t mask) { data_[index] &= ~mask; }, x0, y0, z0, x1,
+               y1, z1, max_length, min_length);
 }
 
 void VoxelGrid::clearVoxelLineInMap(double x0, double y0, double z0, double x1, double y1,

@@ -1,5 +1,5 @@
-// Follows paths: in a loop it asks the controller plugin of a goal for velocities until the goal checker
-// says that the end is reached.
+// Follows paths: in a loop it asks the controller plugin of a goal for velocities until the goal
+// checker says that the end is reached.
 #pragma once
 
 #include <memory>

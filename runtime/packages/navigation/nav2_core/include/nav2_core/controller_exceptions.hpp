@@ -23,7 +23,8 @@ class ControllerTFError : public ControllerException {
 
 class FailedToMakeProgress : public ControllerException {
  public:
-  explicit FailedToMakeProgress(const std::string& description) : ControllerException(description) {}
+  explicit FailedToMakeProgress(const std::string& description)
+      : ControllerException(description) {}
 };
 
 class PatienceExceeded : public ControllerException {

@@ -27,8 +27,8 @@ class GlobalPlanner {
   virtual void activate() = 0;
   virtual void deactivate() = 0;
 
-  /// Poses are in the frame of the costmap. Throws a PlannerException. `cancel_checker` is true once
-  /// nobody wants the path any more. A plugin overrides this or, as in ROS 2 Humble, the form
+  /// Poses are in the frame of the costmap. Throws a PlannerException. `cancel_checker` is true
+  /// once nobody wants the path any more. A plugin overrides this or, as in ROS 2 Humble, the form
   /// without the checker.
   virtual nav_msgs::msg::Path createPlan(const geometry_msgs::msg::PoseStamped& start,
                                          const geometry_msgs::msg::PoseStamped& goal,

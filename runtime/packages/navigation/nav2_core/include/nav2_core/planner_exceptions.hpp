@@ -38,7 +38,8 @@ class GoalOutsideMapBounds : public PlannerException {
 
 class NoValidPathCouldBeFound : public PlannerException {
  public:
-  explicit NoValidPathCouldBeFound(const std::string& description) : PlannerException(description) {}
+  explicit NoValidPathCouldBeFound(const std::string& description)
+      : PlannerException(description) {}
 };
 
 class PlannerTimedOut : public PlannerException {

@@ -21,11 +21,10 @@ class Smoother {
   using Ptr = std::shared_ptr<nav2_core::Smoother>;
   virtual ~Smoother() {}
 
-  virtual void configure(
-      const rclcpp_lifecycle::LifecycleNode::WeakPtr& parent, std::string name,
-      std::shared_ptr<tf2_ros::Buffer> tf,
-      std::shared_ptr<nav2_costmap_2d::CostmapSubscriber> costmap_sub,
-      std::shared_ptr<nav2_costmap_2d::FootprintSubscriber> footprint_sub) = 0;
+  virtual void configure(const rclcpp_lifecycle::LifecycleNode::WeakPtr& parent, std::string name,
+                         std::shared_ptr<tf2_ros::Buffer> tf,
+                         std::shared_ptr<nav2_costmap_2d::CostmapSubscriber> costmap_sub,
+                         std::shared_ptr<nav2_costmap_2d::FootprintSubscriber> footprint_sub) = 0;
   virtual void cleanup() = 0;
   virtual void activate() = 0;
   virtual void deactivate() = 0;

@@ -28,7 +28,8 @@ class SmootherTimedOut : public SmootherException {
 
 class SmoothedPathInCollision : public SmootherException {
  public:
-  explicit SmoothedPathInCollision(const std::string& description) : SmootherException(description) {}
+  explicit SmoothedPathInCollision(const std::string& description)
+      : SmootherException(description) {}
 };
 
 class FailedToSmoothPath : public SmootherException {

@@ -36,8 +36,8 @@ class Costmap2DPublisher {
     y0_ = std::min(y0, y0_);
     yn_ = std::max(yn, yn_);
   }
-  /// Whole at first, when its size or place has changed, or when somebody new listens; else what has
-  /// changed. Nothing for a layer that is disabled.
+  /// Whole at first, when its size or place has changed, or when somebody new listens; else what
+  /// has changed. Nothing for a layer that is disabled.
   void publishCostmap();
   bool active() { return active_; }
 

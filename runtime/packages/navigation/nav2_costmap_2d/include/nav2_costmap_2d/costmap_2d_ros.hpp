@@ -70,9 +70,7 @@ class Costmap2DROS : public nav2_util::LifecycleNode {
   LayeredCostmap* getLayeredCostmap() { return layered_costmap_.get(); }
   geometry_msgs::msg::Polygon getRobotFootprintPolygon() { return toPolygon(padded_footprint_); }
   std::vector<geometry_msgs::msg::Point> getRobotFootprint() { return padded_footprint_; }
-  std::vector<geometry_msgs::msg::Point> getUnpaddedRobotFootprint() {
-    return unpadded_footprint_;
-  }
+  std::vector<geometry_msgs::msg::Point> getUnpaddedRobotFootprint() { return unpadded_footprint_; }
   /// At the pose of the robot; unchanged when that is unknown.
   void getOrientedFootprint(std::vector<geometry_msgs::msg::Point>& oriented_footprint);
   void setRobotFootprint(const std::vector<geometry_msgs::msg::Point>& points);

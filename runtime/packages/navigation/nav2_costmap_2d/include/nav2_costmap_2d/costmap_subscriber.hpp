@@ -16,8 +16,7 @@ namespace nav2_costmap_2d {
 class CostmapSubscriber {
  public:
   /// `topic_name` of messages nav2_msgs/Costmap, such as `global_costmap/costmap_raw`.
-  CostmapSubscriber(const nav2_util::LifecycleNode::WeakPtr& parent,
-                    const std::string& topic_name);
+  CostmapSubscriber(const nav2_util::LifecycleNode::WeakPtr& parent, const std::string& topic_name);
   CostmapSubscriber(const rclcpp::Node::WeakPtr& parent, const std::string& topic_name);
   ~CostmapSubscriber() {}
 

@@ -25,8 +25,7 @@ class CostmapTopicCollisionChecker {
   /// The greatest cost under the outline at a pose. Throws IllegalPoseException outside of the map,
   /// CollisionCheckerException when something is missing. `fetch_costmap_and_footprint` false:
   /// those of the last call, for many poses at one time.
-  double scorePose(const geometry_msgs::msg::Pose2D& pose,
-                   bool fetch_costmap_and_footprint = true);
+  double scorePose(const geometry_msgs::msg::Pose2D& pose, bool fetch_costmap_and_footprint = true);
   /// False, with an error logged, when something is missing.
   bool isCollisionFree(const geometry_msgs::msg::Pose2D& pose,
                        bool fetch_costmap_and_footprint = true);

@@ -19,7 +19,8 @@ std::pair<double, double> calculateMinAndMaxDistances(
 geometry_msgs::msg::Point toPoint(geometry_msgs::msg::Point32 pt);
 geometry_msgs::msg::Point32 toPoint32(geometry_msgs::msg::Point pt);
 geometry_msgs::msg::Polygon toPolygon(std::vector<geometry_msgs::msg::Point> pts);
-std::vector<geometry_msgs::msg::Point> toPointVector(geometry_msgs::msg::Polygon::SharedPtr polygon);
+std::vector<geometry_msgs::msg::Point> toPointVector(
+    geometry_msgs::msg::Polygon::SharedPtr polygon);
 
 /// At a pose, `theta` in rad.
 void transformFootprint(double x, double y, double theta,

@@ -15,8 +15,7 @@ class FootprintSubscriber {
  public:
   FootprintSubscriber(const nav2_util::LifecycleNode::WeakPtr& parent,
                       const std::string& topic_name, tf2_ros::Buffer& tf,
-                      std::string robot_base_frame = "base_link",
-                      double transform_tolerance = 0.1);
+                      std::string robot_base_frame = "base_link", double transform_tolerance = 0.1);
   FootprintSubscriber(const rclcpp::Node::WeakPtr& parent, const std::string& topic_name,
                       tf2_ros::Buffer& tf, std::string robot_base_frame = "base_link",
                       double transform_tolerance = 0.1);

@@ -24,10 +24,9 @@ class ObservationBuffer {
   ObservationBuffer(const nav2_util::LifecycleNode::WeakPtr& parent, std::string topic_name,
                     double observation_keep_time, double expected_update_rate,
                     double min_obstacle_height, double max_obstacle_height,
-                    double obstacle_max_range, double obstacle_min_range,
-                    double raytrace_max_range, double raytrace_min_range,
-                    tf2_ros::Buffer& tf2_buffer, std::string global_frame,
-                    std::string sensor_frame, tf2::Duration tf_tolerance);
+                    double obstacle_max_range, double obstacle_min_range, double raytrace_max_range,
+                    double raytrace_min_range, tf2_ros::Buffer& tf2_buffer,
+                    std::string global_frame, std::string sensor_frame, tf2::Duration tf_tolerance);
   ~ObservationBuffer();
 
   /// Points outside of the heights are dropped. Nothing, with an error logged, when a transform is

@@ -38,8 +38,8 @@ class NavFn {
   bool computePotential(Cell from, Cell to, bool use_astar,
                         const std::function<bool()>& cancel_checker);
   float potential(Cell cell) const { return potentials_[index_of(cell)]; }
-  /// From a cell down to where the potentials began, in steps of half a cell; empty when there is no
-  /// way.
+  /// From a cell down to where the potentials began, in steps of half a cell; empty when there is
+  /// no way.
   std::vector<PathPoint> path(Cell from, int most_steps) const;
 
  private:

@@ -41,8 +41,8 @@ class NavfnPlanner : public nav2_core::GlobalPlanner {
   void checkBounds(const Pose& start, const Pose& goal) const;
   /// Throws a PlannerException when start or goal cannot be used.
   void takeCosts(const Pose& start, const Pose& goal);
-  bool makePlan(const Pose& start, const Pose& goal,
-                const std::function<bool()>& cancel_checker, Path& plan);
+  bool makePlan(const Pose& start, const Pose& goal, const std::function<bool()>& cancel_checker,
+                Path& plan);
   bool findReachable(const Pose& goal, Pose& best) const;
   bool fillPlan(const Pose& best, Path& plan) const;
   void approachGoal(const Pose& goal, Path& plan) const;

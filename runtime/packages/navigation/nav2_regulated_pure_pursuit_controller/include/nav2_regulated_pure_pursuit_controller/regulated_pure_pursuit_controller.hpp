@@ -1,5 +1,5 @@
-// A controller that steers to a point ahead on the path, slower in tight turns, near obstacles and near
-// the goal.
+// A controller that steers to a point ahead on the path, slower in tight turns, near obstacles and
+// near the goal.
 #pragma once
 
 #include <limits>
@@ -87,7 +87,8 @@ class RegulatedPurePursuitController : public nav2_core::Controller {
   void readParameters();
   rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
       std::vector<rclcpp::Parameter> parameters);
-  // plan_window.cpp: the part of the plan that is ahead and within the costmap, in the robot's frame.
+  // plan_window.cpp: the part of the plan that is ahead and within the costmap, in the robot's
+  // frame.
   Path planAhead(const PoseStamped& pose);
   PoseStamped transformed(const PoseStamped& pose, const std::string& frame) const;
 
@@ -119,7 +120,7 @@ class RegulatedPurePursuitController : public nav2_core::Controller {
   Parameters params_;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr dyn_params_handler_;
 
-  Path global_plan_;              // what is left of it
+  Path global_plan_;                // what is left of it
   double control_duration_ = 0.05;  // s
   double goal_dist_tol_ = 0.25;     // m, of the goal checker
   bool has_reached_xy_tolerance_ = false;

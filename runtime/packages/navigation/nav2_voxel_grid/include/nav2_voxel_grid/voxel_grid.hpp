@@ -1,5 +1,5 @@
-// Columns of up to 16 voxels over a grid of cells. A column is 32 bits: the lower half has a bit for
-// each voxel that is not known to be free, the upper half for each that is marked.
+// Columns of up to 16 voxels over a grid of cells. A column is 32 bits: the lower half has a bit
+// for each voxel that is not known to be free, the upper half for each that is marked.
 #pragma once
 
 #include <algorithm>

@@ -404,8 +404,8 @@ function said(output: string, node: string): string[] {
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  const libraries = ['geometry_msgs', 'nav2_core', 'nav2_costmap_2d', 'nav2_msgs', 'nav2_util', 'nav_msgs', 'pluginlib', 'rclcpp', 'rclcpp_action',
-    'std_msgs', 'tf2_geometry_msgs', 'tf2_ros'];
+  const libraries = ['geometry_msgs', 'nav2_core', 'nav2_costmap_2d', 'nav2_msgs', 'nav2_util', 'nav_msgs', 'pluginlib', 'rclcpp', 'rclcpp_action', 'std_msgs',
+    'tf2_geometry_msgs', 'tf2_ros'];
   workspace.addPackage('house_drive', { base, driver }, {
     depends: [...libraries, 'nav2_common', 'nav2_controller', 'nav2_planner', 'nav2_map_server', 'nav2_lifecycle_manager'],
     cmake: `${[...libraries, 'nav2_common'].map((name) => `find_package(${name} REQUIRED)`).join('\n')}

@@ -451,8 +451,7 @@ function said(output: string, node: string): string[] {
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  const libraries = ['nav2_core', 'nav2_costmap_2d', 'nav2_msgs', 'nav2_util', 'nav_msgs', 'pluginlib', 'rclcpp', 'rclcpp_action', 'sensor_msgs',
-    'tf2_ros'];
+  const libraries = ['nav2_core', 'nav2_costmap_2d', 'nav2_msgs', 'nav2_util', 'nav_msgs', 'pluginlib', 'rclcpp', 'rclcpp_action', 'sensor_msgs', 'tf2_ros'];
   workspace.addPackage('house_planner', { driver }, {
     depends: [...libraries, 'nav2_common', 'nav2_planner', 'nav2_map_server', 'nav2_lifecycle_manager'],
     cmake: `${[...libraries, 'nav2_common'].map((name) => `find_package(${name} REQUIRED)`).join('\n')}

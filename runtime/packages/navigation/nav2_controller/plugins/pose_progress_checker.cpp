@@ -23,6 +23,17 @@ bool PoseProgressChecker::hasMoved(const geometry_msgs::msg::Pose2D& pose) const
   return SimpleProgressChecker::hasMoved(pose) || std::abs(turn) > required_movement_angle_;
 }
 
+rcl_interfaces::msg::SetParametersResult PoseProgressChecker::dynamicParametersCallback(
+    std::vector<rclcpp::Parameter> parameters) {
+  for (const rclcpp::Parameter& parameter : parameters) {
+    if (parameter.get_name() == plugin_name_ + ".required_movement_angle" &&
+        parameter.get_type() == rclcpp::ParameterType::PARAMETER_DOUBLE) {
+      required_movement_angle_ = parameter.as_double();
+    }
+  }
+  return SimpleProgressChecker::dynamicParametersCallback(parameters);
+}
+
 }  // namespace nav2_controller
 
 PLUGINLIB_EXPORT_CLASS(nav2_controller::PoseProgressChecker, nav2_core::ProgressChecker)

@@ -1,6 +1,7 @@
 // See simple_goal_checker.hpp.
 #include "nav2_controller/plugins/simple_goal_checker.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,7 @@ SimpleGoalChecker::SimpleGoalChecker()
     : xy_goal_tolerance_(0.25),
       yaw_goal_tolerance_(0.25),
       stateful_(true),
+      symmetric_yaw_tolerance_(false),
       check_xy_(true),
       xy_goal_tolerance_sq_(0.0625) {}
 
@@ -34,6 +36,9 @@ void SimpleGoalChecker::initialize(const rclcpp_lifecycle::LifecycleNode::WeakPt
   node->get_parameter(plugin_name + ".xy_goal_tolerance", xy_goal_tolerance_);
   node->get_parameter(plugin_name + ".yaw_goal_tolerance", yaw_goal_tolerance_);
   node->get_parameter(plugin_name + ".stateful", stateful_);
+  declare_parameter_if_not_declared(node, plugin_name + ".symmetric_yaw_tolerance",
+                                    rclcpp::ParameterValue(false));
+  node->get_parameter(plugin_name + ".symmetric_yaw_tolerance", symmetric_yaw_tolerance_);
   xy_goal_tolerance_sq_ = xy_goal_tolerance_ * xy_goal_tolerance_;
   dyn_params_handler_ =
       node->add_on_set_parameters_callback([this](std::vector<rclcpp::Parameter> parameters) {
@@ -56,7 +61,9 @@ bool SimpleGoalChecker::isGoalReached(const geometry_msgs::msg::Pose& query_pose
   }
   const double turn = angles::shortest_angular_distance(tf2::getYaw(query_pose.orientation),
                                                         tf2::getYaw(goal_pose.orientation));
-  return std::abs(turn) <= yaw_goal_tolerance_;
+  const double least =
+      symmetric_yaw_tolerance_ ? std::min(std::abs(turn), M_PI - std::abs(turn)) : std::abs(turn);
+  return least <= yaw_goal_tolerance_;
 }
 
 bool SimpleGoalChecker::getTolerances(geometry_msgs::msg::Pose& pose_tolerance,
@@ -84,9 +91,11 @@ rcl_interfaces::msg::SetParametersResult SimpleGoalChecker::dynamicParametersCal
       if (name == plugin_name_ + ".yaw_goal_tolerance") {
         yaw_goal_tolerance_ = parameter.as_double();
       }
-    } else if (name == plugin_name_ + ".stateful" &&
-               parameter.get_type() == rclcpp::ParameterType::PARAMETER_BOOL) {
-      stateful_ = parameter.as_bool();
+    } else if (parameter.get_type() == rclcpp::ParameterType::PARAMETER_BOOL) {
+      if (name == plugin_name_ + ".stateful") stateful_ = parameter.as_bool();
+      if (name == plugin_name_ + ".symmetric_yaw_tolerance") {
+        symmetric_yaw_tolerance_ = parameter.as_bool();
+      }
     }
   }
   rcl_interfaces::msg::SetParametersResult result;

@@ -40,6 +40,20 @@ bool StoppedGoalChecker::getTolerances(geometry_msgs::msg::Pose& pose_tolerance,
   return true;
 }
 
+rcl_interfaces::msg::SetParametersResult StoppedGoalChecker::dynamicParametersCallback(
+    std::vector<rclcpp::Parameter> parameters) {
+  for (const rclcpp::Parameter& parameter : parameters) {
+    if (parameter.get_type() != rclcpp::ParameterType::PARAMETER_DOUBLE) continue;
+    const std::string& name = parameter.get_name();
+    if (name == plugin_name_ + ".rot_stopped_velocity")
+      rot_stopped_velocity_ = parameter.as_double();
+    if (name == plugin_name_ + ".trans_stopped_velocity") {
+      trans_stopped_velocity_ = parameter.as_double();
+    }
+  }
+  return SimpleGoalChecker::dynamicParametersCallback(parameters);
+}
+
 }  // namespace nav2_controller
 
 PLUGINLIB_EXPORT_CLASS(nav2_controller::StoppedGoalChecker, nav2_core::GoalChecker)

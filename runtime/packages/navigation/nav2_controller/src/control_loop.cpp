@@ -175,7 +175,9 @@ void ControllerServer::waitForCostmap() {
   rclcpp::Rate rate(100);
   const rclcpp::Time begin = now();
   while (!costmap_ros_->isCurrent()) {
-    if (now() - begin > costmap_update_timeout_) {
+    // The clock may stand.
+    if (!rclcpp::ok() || !action_server_->is_server_active() ||
+        now() - begin > costmap_update_timeout_) {
       throw nav2_core::ControllerTimedOut("Costmap timed out waiting for update");
     }
     rate.sleep();

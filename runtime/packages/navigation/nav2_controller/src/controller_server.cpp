@@ -30,7 +30,7 @@ constexpr DefaultPlugin kDefaults[] = {
 
 ControllerServer::ControllerServer(const rclcpp::NodeOptions& options)
     : nav2_util::LifecycleNode("controller_server", "", options),
-      progress_checkers_("progress_checker", "nav2_core::ProgressChecker"),
+      progress_checkers_("progress checker", "nav2_core::ProgressChecker"),
       goal_checkers_("goal checker", "nav2_core::GoalChecker"),
       controllers_("controller", "nav2_core::Controller"),
       costmap_update_timeout_(std::chrono::milliseconds(300)) {
@@ -111,7 +111,9 @@ CallbackReturn ControllerServer::on_configure(const rclcpp_lifecycle::State& sta
   }
   costmap_update_timeout_ =
       rclcpp::Duration::from_seconds(get_parameter("costmap_update_timeout").as_double());
-  costmap_ros_->configure();
+  if (costmap_ros_->configure().id() != lifecycle_msgs::msg::State::PRIMARY_STATE_INACTIVE) {
+    return CallbackReturn::FAILURE;
+  }
   costmap_thread_ = std::make_unique<nav2_util::NodeThread>(costmap_ros_);
 
   const auto node = shared_from_this();
@@ -191,10 +193,11 @@ CallbackReturn ControllerServer::on_cleanup(const rclcpp_lifecycle::State&) {
   controllers_.loaded.clear();
   goal_checkers_.loaded.clear();
   progress_checkers_.loaded.clear();
+  // Its callbacks use the layers.
+  costmap_thread_.reset();
   costmap_ros_->cleanup();
   action_server_.reset();
   odom_sub_.reset();
-  costmap_thread_.reset();
   vel_publisher_.reset();
   speed_limit_sub_.reset();
   return CallbackReturn::SUCCESS;

@@ -124,11 +124,13 @@ template <typename MessageT, typename CallbackT>
 void ObstacleLayer::subscribe(const std::string& topic, const std::string& sensor_frame,
                               size_t queue, CallbackT callback) {
   const auto node = node_.lock();
+  rmw_qos_profile_t qos = rmw_qos_profile_sensor_data;
+  qos.depth = 50;
   rclcpp::SubscriptionOptions options;
   options.callback_group = callback_group_;
   auto subscriber =
       std::make_shared<message_filters::Subscriber<MessageT, rclcpp_lifecycle::LifecycleNode>>(
-          node, topic, rmw_qos_profile_sensor_data, options);
+          node, topic, qos, options);
   subscriber->unsubscribe();
   double tolerance = 0.3;
   node->get_parameter("transform_tolerance", tolerance);
@@ -295,6 +297,10 @@ void ObstacleLayer::markObservation(const Observation& observation, double* min_
                                     double* max_x, double* max_y) {
   const double farthest = observation.obstacle_max_range_ * observation.obstacle_max_range_;
   const double nearest = observation.obstacle_min_range_ * observation.obstacle_min_range_;
+  const auto& origin = observation.origin_;
+  unsigned int mx;
+  unsigned int my;
+  if (!worldToMap(origin.x, origin.y, mx, my)) return;
   const PointCloud2& cloud = *observation.cloud_;
   sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
   sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
@@ -304,13 +310,10 @@ void ObstacleLayer::markObservation(const Observation& observation, double* min_
     const double py = *y;
     const double pz = *z;
     if (pz < min_obstacle_height_ || pz > max_obstacle_height_) continue;
-    const double dx = px - observation.origin_.x;
-    const double dy = py - observation.origin_.y;
-    const double dz = pz - observation.origin_.z;
-    const double square = dx * dx + dy * dy + dz * dz;
-    if (square >= farthest || square < nearest) continue;
-    unsigned int mx;
-    unsigned int my;
+    const double dx = px - origin.x;
+    const double dy = py - origin.y;
+    const double square = dx * dx + dy * dy;
+    if (square > farthest || square < nearest) continue;
     if (!worldToMap(px, py, mx, my)) continue;
     costmap_[getIndex(mx, my)] = LETHAL_OBSTACLE;
     touch(px, py, min_x, min_y, max_x, max_y);
@@ -330,7 +333,7 @@ void ObstacleLayer::updateCosts(Costmap2D& master_grid, int min_i, int min_j, in
                                 int max_j) {
   const Lock lock(*getMutex());
   if (!enabled_) return;
-  // New data has come since a reset.
+  // A round has passed since a reset.
   if (!current_ && was_reset_) {
     was_reset_ = false;
     current_ = true;
@@ -380,8 +383,9 @@ void ObstacleLayer::raytraceFreespace(const Observation& clearing_observation, d
     if (*y < origin_y_) share = std::min(share, (origin_y_ - oy) / dy);
     if (*x > map_end_x) share = std::min(share, (map_end_x - 0.001 - ox) / dx);
     if (*y > map_end_y) share = std::min(share, (map_end_y - 0.001 - oy) / dy);
-    const double wx = ox + share * dx;
-    const double wy = oy + share * dy;
+    // Rounding must not put it outside.
+    const double wx = std::max(ox + share * dx, origin_x_);
+    const double wy = std::max(oy + share * dy, origin_y_);
     unsigned int x1;
     unsigned int y1;
     if (!worldToMap(wx, wy, x1, y1)) continue;

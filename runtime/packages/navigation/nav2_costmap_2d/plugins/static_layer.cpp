@@ -79,7 +79,7 @@ void StaticLayer::getParameters() {
   node->get_parameter("unknown_cost_value", unknown);
   unknown_cost_value_ = static_cast<unsigned char>(std::clamp(unknown, 0, 255));
   double tolerance = 0.0;
-  node->get_parameter(getFullName("transform_tolerance"), tolerance);
+  node->get_parameter("transform_tolerance", tolerance);
   transform_tolerance_ = tf2::durationFromSec(tolerance);
   dyn_params_handler_ =
       node->add_on_set_parameters_callback([this](std::vector<rclcpp::Parameter> parameters) {
@@ -142,6 +142,7 @@ void StaticLayer::incomingMap(const OccupancyGrid::SharedPtr new_map) {
   // The first is taken at once, as it gives the costmap its size; others between two rounds. Rounds
   // lock the costmap before its layers, so the layer is not locked while the costmap gets its size.
   if (!map_received_) {
+    const Lock whole(*layered_costmap_->getCostmap()->getMutex());
     processMap(*new_map);
     map_received_ = true;
     return;
@@ -193,14 +194,21 @@ void StaticLayer::updateBounds(double robot_x, double robot_y, double robot_yaw,
   }
   if (!layered_costmap_->isRolling() && !(has_updated_data_ || has_extra_bounds_)) return;
   useExtraBounds(min_x, min_y, max_x, max_y);
-  double wx;
-  double wy;
-  mapToWorld(x_, y_, wx, wy);
-  *min_x = std::min(wx, *min_x);
-  *min_y = std::min(wy, *min_y);
-  mapToWorld(x_ + width_, y_ + height_, wx, wy);
-  *max_x = std::max(wx, *max_x);
-  *max_y = std::max(wy, *max_y);
+  if (layered_costmap_->isRolling()) {
+    // All of the costmap: the map is in another frame.
+    const Costmap2D* costmap = layered_costmap_->getCostmap();
+    const double half_x = costmap->getSizeInMetersX() / 2;
+    const double half_y = costmap->getSizeInMetersY() / 2;
+    touch(robot_x - half_x, robot_y - half_y, min_x, min_y, max_x, max_y);
+    touch(robot_x + half_x, robot_y + half_y, min_x, min_y, max_x, max_y);
+  } else {
+    double wx;
+    double wy;
+    mapToWorld(x_, y_, wx, wy);
+    touch(wx, wy, min_x, min_y, max_x, max_y);
+    mapToWorld(x_ + width_, y_ + height_, wx, wy);
+    touch(wx, wy, min_x, min_y, max_x, max_y);
+  }
   has_updated_data_ = false;
   updateFootprint(robot_x, robot_y, robot_yaw, min_x, min_y, max_x, max_y);
 }

@@ -2,6 +2,7 @@
 #include "nav2_costmap_2d/voxel_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "pluginlib/class_list_macros.hpp"
@@ -128,7 +129,7 @@ void VoxelLayer::markObservation(const Observation& observation, double* min_x, 
     unsigned int mx;
     unsigned int my;
     unsigned int mz;
-    // What is below the grid, such as the ground, is in its lowest voxels.
+    // Points below the grid, such as those of the ground, are in its lowest voxels.
     const double height = *z < origin_z_ ? origin_z_ : *z;
     if (!worldToMap3D(*x, *y, height, mx, my, mz)) continue;
     if (*z < min_obstacle_height_) continue;
@@ -167,16 +168,18 @@ void VoxelLayer::raytraceFreespace(const Observation& clearing_observation, doub
     const double dx = *x - origin.x;
     const double dy = *y - origin.y;
     const double dz = *z - origin.z;
-    // Where the ray leaves the grid.
-    double share = 1.0;
+    // The ray ends before the point, which it would open at a flat angle, and where it leaves the
+    // grid.
+    const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
+    double share = length > 0.0 ? std::max(1.0 - 2 * resolution_ / length, 0.0) : 0.0;
     if (*x < origin_x_) share = std::min(share, (origin_x_ - origin.x) / dx);
     if (*y < origin_y_) share = std::min(share, (origin_y_ - origin.y) / dy);
     if (*z < origin_z_) share = std::min(share, (origin_z_ - origin.z) / dz);
     if (*x > end_x) share = std::min(share, (end_x - origin.x) / dx);
     if (*y > end_y) share = std::min(share, (end_y - origin.y) / dy);
     if (*z > end_z) share = std::min(share, (end_z - origin.z) / dz);
-    const double wx = origin.x + share * dx;
-    const double wy = origin.y + share * dy;
+    const double wx = std::max(origin.x + share * dx, origin_x_);
+    const double wy = std::max(origin.y + share * dy, origin_y_);
     const double wz = std::clamp(origin.z + share * dz, origin_z_, end_z - z_resolution_ * 1e-6);
     double px;
     double py;

@@ -80,8 +80,8 @@ void ClearCostmapService::clearLayerRegion(CostmapLayer& layer, double x, double
   int start_y;
   int end_x;
   int end_y;
-  layer.worldToMapNoBounds(x - half, y - half, start_x, start_y);
-  layer.worldToMapNoBounds(x + half, y + half, end_x, end_y);
+  layer.worldToMapEnforceBounds(x - half, y - half, start_x, start_y);
+  layer.worldToMapEnforceBounds(x + half, y + half, end_x, end_y);
   layer.clearArea(start_x, start_y, end_x, end_y, invert);
   const double left = layer.getOriginX();
   const double bottom = layer.getOriginY();

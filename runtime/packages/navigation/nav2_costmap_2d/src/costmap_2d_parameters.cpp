@@ -1,5 +1,6 @@
 // The parameters of the node of a costmap.
 #include <stdexcept>
+#include <utility>
 
 #include "nav2_costmap_2d/costmap_2d_ros.hpp"
 #include "nav2_util/node_utils.hpp"
@@ -9,6 +10,18 @@ namespace {
 
 /// A page has 4 GiB of memory at most, and each layer has as many cells, of a byte each.
 constexpr double kMostCells = 1e8;
+
+/// Why a costmap cannot have this size; empty: it can. Metres.
+std::string problem_of(double width, double height, double resolution) {
+  for (const auto& [name, value] : {std::pair("width", width), std::pair("height", height)}) {
+    if (value > 0) continue;
+    return std::string("You try to set ") + name +
+           " of map to be negative or zero, this isn't allowed, please give a positive value.";
+  }
+  if (resolution > 0 && width / resolution * (height / resolution) <= kMostCells) return "";
+  return "The parameter resolution must be a length in metres with which the costmap has at most "
+         "100,000,000 cells";
+}
 
 }  // namespace
 
@@ -81,22 +94,8 @@ void Costmap2DROS::getParameters() {
                    footprint_.c_str(), robot_radius_);
     }
   }
-  if (map_width_meters_ <= 0) {
-    throw std::runtime_error(
-        "You try to set width of map to be negative or zero, this isn't "
-        "allowed, please give a positive value.");
-  }
-  if (map_height_meters_ <= 0) {
-    throw std::runtime_error(
-        "You try to set height of map to be negative or zero, this isn't "
-        "allowed, please give a positive value.");
-  }
-  const double cells = map_width_meters_ / resolution_ * (map_height_meters_ / resolution_);
-  if (!(resolution_ > 0) || cells > kMostCells) {
-    throw std::runtime_error(
-        "The parameter resolution must be a length in metres with which the "
-        "costmap has at most 100,000,000 cells");
-  }
+  const std::string problem = problem_of(map_width_meters_, map_height_meters_, resolution_);
+  if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, bool& resized) {
@@ -109,7 +108,7 @@ std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, boo
         if (use_radius_) setRobotFootprint(makeFootprintFromRadius(robot_radius_));
       } else if (name == "footprint_padding") {
         footprint_padding_ = value;
-        setRobotFootprint(unpadded_footprint_);
+        setRobotFootprint(getUnpaddedRobotFootprint());
       } else if (name == "transform_tolerance") {
         transform_tolerance_ = value;
       } else if (name == "publish_frequency") {
@@ -117,7 +116,8 @@ std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, boo
         publish_cycle_ =
             value > 0 ? rclcpp::Duration::from_seconds(1 / value) : rclcpp::Duration(-1, 0);
       } else if (name == "resolution") {
-        if (!(value > 0)) return "resolution must be greater than 0";
+        const std::string problem = problem_of(map_width_meters_, map_height_meters_, value);
+        if (!problem.empty()) return problem;
         resolution_ = value;
         resized = true;
       } else if (name == "origin_x") {
@@ -134,10 +134,11 @@ std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, boo
                   : name == "height" ? &map_height_meters_
                                      : nullptr;
       if (size == nullptr) return "";
-      if (parameter.as_int() <= 0) {
-        return "You try to set " + name +
-               " of map to be negative or zero, this isn't allowed, please give a positive value.";
-      }
+      const auto value = static_cast<double>(parameter.as_int());
+      const std::string problem =
+          problem_of(name == "width" ? value : map_width_meters_,
+                     name == "height" ? value : map_height_meters_, resolution_);
+      if (!problem.empty()) return problem;
       *size = static_cast<int>(parameter.as_int());
       resized = true;
       return "";

@@ -188,11 +188,14 @@ void Costmap2DPublisher::publishCostmap() {
   const auto* layer = dynamic_cast<CostmapLayer*>(costmap_);
   if (layer != nullptr && !layer->isEnabled()) return;
   const std::unique_lock<Costmap2D::mutex_t> lock(*costmap_->getMutex());
-  // What was published before somebody listened may be old.
+  // Bounds are those of the whole costmap; a layer may have another size.
+  xn_ = std::min(xn_, costmap_->getSizeInCellsX());
+  yn_ = std::min(yn_, costmap_->getSizeInCellsY());
+  // A message that was published before somebody listened may be old.
   const bool has_new_listener = hasNewListener();
   if (always_send_full_costmap_ || !published_once_ || has_new_listener || isMoved()) {
     publishWhole();
-  } else if (x0_ < xn_) {
+  } else if (x0_ < xn_ && y0_ < yn_) {
     publishChange();
   }
   xn_ = yn_ = 0;

@@ -1,7 +1,9 @@
 // See costmap_2d_ros.hpp. Parameters are in costmap_2d_parameters.cpp.
 #include "nav2_costmap_2d/costmap_2d_ros.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "nav2_costmap_2d/costmap_layer.hpp"
@@ -230,7 +232,7 @@ CallbackReturn Costmap2DROS::on_shutdown(const rclcpp_lifecycle::State&) {
 
 void Costmap2DROS::mapUpdateLoop(double frequency) {
   // The map is updated on request only.
-  if (frequency == 0.0) return;
+  if (!(frequency > 0.0)) return;
   rclcpp::WallRate rate(frequency);
   while (rclcpp::ok() && !map_update_thread_shutdown_) {
     if (!stop_updates_) {
@@ -270,7 +272,7 @@ void Costmap2DROS::updateMap() {
   layered_costmap_->updateMap(x, y, yaw);
   auto footprint = std::make_unique<geometry_msgs::msg::PolygonStamped>();
   footprint->header = pose.header;
-  transformFootprint(x, y, yaw, padded_footprint_, *footprint);
+  transformFootprint(x, y, yaw, getRobotFootprint(), *footprint);
   footprint_pub_->publish(std::move(footprint));
   initialized_ = true;
 }
@@ -289,7 +291,7 @@ void Costmap2DROS::start() {
     stopped_ = false;
   }
   stop_updates_ = false;
-  // The first round is over.
+  // Until the first round is over.
   while (rclcpp::ok() && !initialized_ && map_update_frequency_ > 0.0) {
     rclcpp::sleep_for(milliseconds(10));
   }
@@ -340,14 +342,29 @@ void Costmap2DROS::getOrientedFootprint(
   geometry_msgs::msg::PoseStamped pose;
   if (!getRobotPose(pose)) return;
   transformFootprint(pose.pose.position.x, pose.pose.position.y, tf2::getYaw(pose.pose.orientation),
-                     padded_footprint_, oriented_footprint);
+                     getRobotFootprint(), oriented_footprint);
 }
 
 void Costmap2DROS::setRobotFootprint(const std::vector<geometry_msgs::msg::Point>& points) {
-  unpadded_footprint_ = points;
-  padded_footprint_ = points;
-  padFootprint(padded_footprint_, footprint_padding_);
-  layered_costmap_->setFootprint(padded_footprint_);
+  const bool is_finite = std::all_of(points.begin(), points.end(), [](const auto& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+  });
+  if (points.empty() || !is_finite) {
+    RCLCPP_ERROR(
+        get_logger(),
+        "You try to set an empty footprint this isn't allowed, a footprint must contain at "
+        "least one point.");
+    return;
+  }
+  std::vector<geometry_msgs::msg::Point> padded = points;
+  padFootprint(padded, footprint_padding_);
+  {
+    const std::lock_guard<std::mutex> lock(footprint_mutex_);
+    unpadded_footprint_ = points;
+    padded_footprint_ = padded;
+  }
+  const std::unique_lock<Costmap2D::mutex_t> lock(*getCostmap()->getMutex());
+  layered_costmap_->setFootprint(padded);
 }
 
 void Costmap2DROS::setRobotFootprintPolygon(
@@ -365,7 +382,7 @@ void Costmap2DROS::getCostCallback(
                 request->x, request->y, request->theta);
     FootprintCollisionChecker<Costmap2D*> checker(costmap);
     response->cost = static_cast<float>(
-        checker.footprintCostAtPose(request->x, request->y, request->theta, padded_footprint_));
+        checker.footprintCostAtPose(request->x, request->y, request->theta, getRobotFootprint()));
     return;
   }
   RCLCPP_INFO(get_logger(), "Received request to get cost at point (%f, %f)", request->x,

@@ -9,6 +9,12 @@ namespace nav2_costmap_2d {
 using nav2_msgs::msg::Costmap;
 using nav2_msgs::msg::CostmapUpdate;
 
+namespace {
+
+constexpr size_t kUpdateDepth = 10;
+
+}  // namespace
+
 CostmapSubscriber::CostmapSubscriber(const nav2_util::LifecycleNode::WeakPtr& parent,
                                      const std::string& topic_name)
     : topic_name_(topic_name) {
@@ -28,7 +34,8 @@ void CostmapSubscriber::subscribe(const NodeT& node) {
       topic_name_, rclcpp::QoS(rclcpp::KeepLast(1)).transient_local().reliable(),
       [this](const Costmap::SharedPtr message) { costmapCallback(message); });
   costmap_update_sub_ = node->template create_subscription<CostmapUpdate>(
-      topic_name_ + "_updates", rclcpp::QoS(rclcpp::KeepLast(1)).transient_local().reliable(),
+      // Changes build on each other: none may be lost.
+      topic_name_ + "_updates", rclcpp::QoS(kUpdateDepth).transient_local().reliable(),
       [this](const CostmapUpdate::SharedPtr message) { costmapUpdateCallback(message); });
 }
 
@@ -39,13 +46,20 @@ bool CostmapSubscriber::isCostmapReceived() {
 
 std::shared_ptr<Costmap2D> CostmapSubscriber::getCostmap() {
   if (!isCostmapReceived()) throw std::runtime_error("Costmap is not available");
-  const std::lock_guard<std::mutex> lock(costmap_msg_mutex_);
+  {
+    const std::lock_guard<std::mutex> lock(costmap_msg_mutex_);
+    if (!costmap_) costmap_ = std::make_shared<Costmap2D>();
+  }
+  // Both at once: the caller may hold the mutex of the cells.
+  const std::scoped_lock lock(costmap_msg_mutex_, *costmap_->getMutex());
   if (!costmap_msg_) return costmap_;
   const auto& data = costmap_msg_->metadata;
-  if (!costmap_) costmap_ = std::make_shared<Costmap2D>();
-  const std::lock_guard<Costmap2D::mutex_t> cells(*costmap_->getMutex());
-  costmap_->resizeMap(data.size_x, data.size_y, data.resolution, data.origin.position.x,
-                      data.origin.position.y);
+  const auto& origin = data.origin.position;
+  if (costmap_->getSizeInCellsX() != data.size_x || costmap_->getSizeInCellsY() != data.size_y ||
+      costmap_->getResolution() != data.resolution || costmap_->getOriginX() != origin.x ||
+      costmap_->getOriginY() != origin.y) {
+    costmap_->resizeMap(data.size_x, data.size_y, data.resolution, origin.x, origin.y);
+  }
   std::copy(costmap_msg_->data.begin(), costmap_msg_->data.end(), costmap_->getCharMap());
   costmap_msg_.reset();
   return costmap_;

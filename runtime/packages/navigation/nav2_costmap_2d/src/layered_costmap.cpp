@@ -68,7 +68,7 @@ void LayeredCostmap::updateMap(double robot_x, double robot_y, double robot_yaw)
   }
   if (isOutofBounds(robot_x, robot_y)) {
     static rclcpp::Clock clock(RCL_STEADY_TIME);
-    RCLCPP_WARN_THROTTLE(logger(), clock, 5000, "Robot is out of bounds of the costmap!");
+    RCLCPP_WARN_THROTTLE(logger(), clock, 5000, "Robot is out of bounds of the costmap");
   }
   if (plugins_.empty() && filters_.empty()) return;
 

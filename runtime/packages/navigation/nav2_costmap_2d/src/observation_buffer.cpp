@@ -1,7 +1,8 @@
 // See observation_buffer.hpp.
 #include "nav2_costmap_2d/observation_buffer.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "sensor_msgs/point_cloud2_iterator.hpp"
@@ -10,7 +11,21 @@
 namespace nav2_costmap_2d {
 namespace {
 
-/// The points of a cloud whose height is within limits. Points that are not finite are dropped.
+/// Whether the points of a cloud can be read: coordinates of the right type within them, and as
+/// much data as it says. Any node can publish on the topic.
+bool is_readable(const sensor_msgs::msg::PointCloud2& cloud) {
+  using sensor_msgs::msg::PointField;
+  const auto has = [&cloud](const char* name) {
+    return std::any_of(cloud.fields.begin(), cloud.fields.end(), [&](const PointField& field) {
+      return field.name == name && field.datatype == PointField::FLOAT32 &&
+             static_cast<uint64_t>(field.offset) + sizeof(float) <= cloud.point_step;
+    });
+  };
+  const uint64_t points = static_cast<uint64_t>(cloud.width) * cloud.height;
+  return has("x") && has("y") && has("z") && cloud.data.size() == points * cloud.point_step;
+}
+
+/// The points of a cloud whose height is within limits.
 sensor_msgs::msg::PointCloud2 within_heights(const sensor_msgs::msg::PointCloud2& cloud,
                                              double lowest, double highest) {
   sensor_msgs::msg::PointCloud2 some;
@@ -65,6 +80,14 @@ ObservationBuffer::ObservationBuffer(const nav2_util::LifecycleNode::WeakPtr& pa
 ObservationBuffer::~ObservationBuffer() = default;
 
 void ObservationBuffer::bufferCloud(const sensor_msgs::msg::PointCloud2& cloud) {
+  if (!is_readable(cloud)) {
+    RCLCPP_WARN_THROTTLE(
+        logger_, *clock_, 5000,
+        "A cloud on %s is ignored: it needs the fields x, y and z of type float32, "
+        "and as much data as it says.",
+        topic_name_.c_str());
+    return;
+  }
   const std::string frame = sensor_frame_.empty() ? cloud.header.frame_id : sensor_frame_;
   try {
     geometry_msgs::msg::PointStamped origin;

@@ -10,10 +10,10 @@ namespace {
 constexpr unsigned char kObstacle = 254;
 constexpr unsigned char kUnknownInCostmap = 255;
 constexpr unsigned char kObstacleInCostmap = 253;
-/// Of a cell without costs, and what each cost adds.
+/// The work for a cell without costs, and for each cost.
 constexpr float kNeutral = 50.0F;
 constexpr float kFactor = 0.8F;
-/// What the threshold grows by from block to block.
+/// The threshold grows by this from block to block.
 constexpr float kBlock = 2 * kNeutral;
 constexpr float kStep = 0.5F;  // cells
 /// Blocks between two questions whether the work is still wanted.

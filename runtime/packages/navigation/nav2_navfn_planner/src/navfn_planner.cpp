@@ -21,6 +21,9 @@ using nav2_util::geometry_utils::orientationAroundZAxis;
 
 namespace {
 
+/// In metres.
+constexpr double kSamePlace = 0.001;
+
 std::string coordinates(const char* which, const geometry_msgs::msg::Pose& pose) {
   return std::string(which) + " Coordinates of(" + std::to_string(pose.position.x) + ", " +
          std::to_string(pose.position.y) + ")";
@@ -77,10 +80,10 @@ void NavfnPlanner::cleanup() {
 }
 
 bool NavfnPlanner::cell_of(double wx, double wy, Cell& cell) const {
-  unsigned int mx;
-  unsigned int my;
-  if (!costmap_->worldToMap(wx, wy, mx, my)) return false;
-  cell = {static_cast<int>(mx), static_cast<int>(my)};
+  const double x = (wx - place_.origin_x) / place_.resolution;
+  const double y = (wy - place_.origin_y) / place_.resolution;
+  if (!(x >= 0 && y >= 0 && x < planner_->nx() && y < planner_->ny())) return false;
+  cell = {static_cast<int>(x), static_cast<int>(y)};
   return true;
 }
 
@@ -101,12 +104,13 @@ void NavfnPlanner::checkBounds(const Pose& start, const Pose& goal) const {
 
 void NavfnPlanner::takeCosts(const Pose& start, const Pose& goal) {
   const std::unique_lock<nav2_costmap_2d::Costmap2D::mutex_t> lock(*costmap_->getMutex());
-  checkBounds(start, goal);
   const int width = static_cast<int>(costmap_->getSizeInCellsX());
   const int height = static_cast<int>(costmap_->getSizeInCellsY());
   if (!planner_ || planner_->nx() != width || planner_->ny() != height) {
     planner_ = std::make_unique<NavFn>(width, height);
   }
+  place_ = {costmap_->getOriginX(), costmap_->getOriginY(), costmap_->getResolution()};
+  checkBounds(start, goal);
   // The robot stands there: what is seen in its place is the robot.
   Cell from;
   cell_of(start.position.x, start.position.y, from);
@@ -172,7 +176,7 @@ bool NavfnPlanner::findReachable(const Pose& goal, Pose& best) const {
   best = goal;
   if (is_reached(goal.position.x, goal.position.y)) return true;
   double nearest = std::numeric_limits<double>::max();
-  const double step = costmap_->getResolution();
+  const double step = place_.resolution;
   Pose pose = goal;
   for (double dy = -tolerance_; dy <= tolerance_; dy += step) {
     for (double dx = -tolerance_; dx <= tolerance_; dx += step) {
@@ -196,8 +200,8 @@ bool NavfnPlanner::fillPlan(const Pose& best, Path& plan) const {
   for (auto point = points.rbegin(); point != points.rend(); ++point) {
     geometry_msgs::msg::PoseStamped pose;
     pose.header = plan.header;
-    pose.pose.position.x = costmap_->getOriginX() + point->x * costmap_->getResolution();
-    pose.pose.position.y = costmap_->getOriginY() + point->y * costmap_->getResolution();
+    pose.pose.position.x = place_.origin_x + point->x * place_.resolution;
+    pose.pose.position.y = place_.origin_y + point->y * place_.resolution;
     pose.pose.orientation.w = 1.0;
     plan.poses.push_back(pose);
   }
@@ -213,6 +217,11 @@ void NavfnPlanner::approachGoal(const Pose& goal, Path& plan) const {
       last = goal;
       return;
     }
+  }
+  // So does one at its place.
+  if (!plan.poses.empty() && euclidean_distance(plan.poses.back().pose, goal) < kSamePlace) {
+    plan.poses.back().pose = goal;
+    return;
   }
   geometry_msgs::msg::PoseStamped pose;
   pose.header = plan.header;

@@ -38,7 +38,9 @@ PlannerServer::~PlannerServer() {
 
 CallbackReturn PlannerServer::on_configure(const rclcpp_lifecycle::State& state) {
   RCLCPP_INFO(get_logger(), "Configuring");
-  costmap_ros_->configure();
+  if (costmap_ros_->configure().id() != lifecycle_msgs::msg::State::PRIMARY_STATE_INACTIVE) {
+    return CallbackReturn::FAILURE;
+  }
   costmap_ = costmap_ros_->getCostmap();
   if (!costmap_ros_->getUseRadius()) {
     collision_checker_ =
@@ -145,8 +147,9 @@ CallbackReturn PlannerServer::on_cleanup(const rclcpp_lifecycle::State&) {
   planners_.clear();
   tf_.reset();
   collision_checker_.reset();
-  costmap_ros_->cleanup();
+  // Its callbacks use the layers.
   costmap_thread_.reset();
+  costmap_ros_->cleanup();
   costmap_ = nullptr;
   return CallbackReturn::SUCCESS;
 }
@@ -158,15 +161,14 @@ CallbackReturn PlannerServer::on_shutdown(const rclcpp_lifecycle::State&) {
 
 rcl_interfaces::msg::SetParametersResult PlannerServer::dynamicParametersCallback(
     std::vector<rclcpp::Parameter> parameters) {
-  const std::lock_guard<std::mutex> lock(dynamic_params_lock_);
+  rcl_interfaces::msg::SetParametersResult result;
+  result.successful = true;
   for (const rclcpp::Parameter& parameter : parameters) {
     if (parameter.get_name() == "expected_planner_frequency" &&
         parameter.get_type() == rclcpp::ParameterType::PARAMETER_DOUBLE) {
       setExpectedFrequency(parameter.as_double());
     }
   }
-  rcl_interfaces::msg::SetParametersResult result;
-  result.successful = true;
   return result;
 }
 

@@ -38,11 +38,12 @@ bool is_without_viapoints(const std::exception& error) {
 
 }  // namespace
 
-void PlannerServer::waitForCostmap() {
+void PlannerServer::waitForCostmap(const std::function<bool()>& is_active) {
   rclcpp::Rate rate(100);
   const rclcpp::Time begin = now();
   while (!costmap_ros_->isCurrent()) {
-    if (now() - begin > costmap_update_timeout_) {
+    // The clock may stand.
+    if (!rclcpp::ok() || !is_active() || now() - begin > costmap_update_timeout_) {
       throw nav2_core::PlannerTimedOut("Costmap timed out waiting for update");
     }
     rate.sleep();
@@ -85,7 +86,7 @@ PlannerServer::Path PlannerServer::planBetween(Pose start, Pose goal, const std:
 
 template <typename ActionT, typename PlanT>
 void PlannerServer::answer(Server<ActionT>& server, PlanT plan) {
-  const std::lock_guard<std::mutex> lock(dynamic_params_lock_);
+  const std::lock_guard<std::mutex> lock(planning_lock_);
   const rclcpp::Time begin = now();
   auto goal = server.get_current_goal();
   auto result = std::make_shared<typename ActionT::Result>();
@@ -95,7 +96,7 @@ void PlannerServer::answer(Server<ActionT>& server, PlanT plan) {
       return;
     }
     if (server.is_cancel_requested()) throw nav2_core::PlannerCancelled("Planner was cancelled");
-    waitForCostmap();
+    waitForCostmap([&server] { return server.is_server_active(); });
     if (server.is_preempt_requested()) goal = server.accept_pending_goal();
     result->path = plan(*goal);
     publishPlan(result->path);

@@ -9,7 +9,7 @@ struct PursuitPoint {
   double y;
 };
 
-/// Of the arc from the robot to a point [1/m]; 0 for a point at the robot.
+/// The curvature of the arc from the robot to a point [1/m]; 0 for a point at the robot.
 double curvature_to(PursuitPoint point);
 /// Where the segment from a point within a circle around the robot to one outside of it crosses the
 /// circle. The inner point when the two are one.

@@ -7,6 +7,7 @@
 
 #include "angles/angles.h"
 #include "nav2_costmap_2d/cost_values.hpp"
+#include "nav2_costmap_2d/costmap_filters/filter_values.hpp"
 #include "nav2_util/geometry_utils.hpp"
 #include "pluginlib/class_list_macros.hpp"
 #include "pursuit_math.hpp"
@@ -22,8 +23,6 @@ using nav2_util::geometry_utils::calculate_path_length;
 namespace {
 
 constexpr const char* kType = "regulated_pure_pursuit_controller::RegulatedPurePursuitController";
-/// Of nav2_costmap_2d's filters.
-constexpr double kNoSpeedLimit = 0.0;
 
 PursuitPoint flat(const Point& point) {
   return {point.x, point.y};
@@ -117,7 +116,7 @@ bool RegulatedPurePursuitController::cancel() {
 void RegulatedPurePursuitController::setSpeedLimit(const double& speed_limit,
                                                    const bool& percentage) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (speed_limit == kNoSpeedLimit) {
+  if (speed_limit == nav2_costmap_2d::NO_SPEED_LIMIT) {
     params_.desired_linear_vel = params_.base_desired_linear_vel;
   } else {
     params_.desired_linear_vel =
@@ -288,6 +287,8 @@ bool RegulatedPurePursuitController::isCollisionImminent(const PoseStamped& pose
     step = 2.0 * std::asin(std::min(1.0, costmap_->getResolution() / 2 / radius)) /
            std::abs(speeds.angular);
   }
+  // The robot stands, or has no size that counts.
+  if (!(step > 0.0) || !std::isfinite(step)) return false;
   Path arc;
   arc.header.frame_id = costmap_ros_->getGlobalFrameID();
   arc.header.stamp = pose.header.stamp;

@@ -1,15 +1,11 @@
 // Errors of planners; the planner server answers with the code of each.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
-namespace nav2_core {
+#include "nav2_core/exceptions.hpp"
 
-class PlannerException : public std::runtime_error {
- public:
-  explicit PlannerException(const std::string& description) : std::runtime_error(description) {}
-};
+namespace nav2_core {
 
 class InvalidPlanner : public PlannerException {
  public:

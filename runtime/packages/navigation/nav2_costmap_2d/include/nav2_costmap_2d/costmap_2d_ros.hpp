@@ -68,11 +68,18 @@ class Costmap2DROS : public nav2_util::LifecycleNode {
   std::string getGlobalFrameID() { return global_frame_; }
   std::string getBaseFrameID() { return robot_base_frame_; }
   LayeredCostmap* getLayeredCostmap() { return layered_costmap_.get(); }
-  geometry_msgs::msg::Polygon getRobotFootprintPolygon() { return toPolygon(padded_footprint_); }
-  std::vector<geometry_msgs::msg::Point> getRobotFootprint() { return padded_footprint_; }
-  std::vector<geometry_msgs::msg::Point> getUnpaddedRobotFootprint() { return unpadded_footprint_; }
+  geometry_msgs::msg::Polygon getRobotFootprintPolygon() { return toPolygon(getRobotFootprint()); }
+  std::vector<geometry_msgs::msg::Point> getRobotFootprint() {
+    const std::lock_guard<std::mutex> lock(footprint_mutex_);
+    return padded_footprint_;
+  }
+  std::vector<geometry_msgs::msg::Point> getUnpaddedRobotFootprint() {
+    const std::lock_guard<std::mutex> lock(footprint_mutex_);
+    return unpadded_footprint_;
+  }
   /// At the pose of the robot; unchanged when that is unknown.
   void getOrientedFootprint(std::vector<geometry_msgs::msg::Point>& oriented_footprint);
+  /// Refuses one that is empty, or whose numbers are not finite.
   void setRobotFootprint(const std::vector<geometry_msgs::msg::Point>& points);
   void setRobotFootprintPolygon(const geometry_msgs::msg::Polygon::SharedPtr footprint);
   std::shared_ptr<tf2_ros::Buffer> getTfBuffer() { return tf_buffer_; }
@@ -140,6 +147,7 @@ class Costmap2DROS : public nav2_util::LifecycleNode {
   double map_vis_z_ = 0.0;
   bool is_lifecycle_follower_ = true;
   bool use_radius_ = false;
+  std::mutex footprint_mutex_;  // of the two below
   std::vector<geometry_msgs::msg::Point> unpadded_footprint_;
   std::vector<geometry_msgs::msg::Point> padded_footprint_;
 

@@ -24,7 +24,7 @@ class CostmapLayer : public Layer, public Costmap2D {
   void addExtraBounds(double mx0, double my0, double mx1, double my1);
 
  protected:
-  // Own cells that are unknown count in the first one only.
+  // Unknown cells of this layer leave the ones below, except in updateWithTrueOverwrite.
   void updateWithTrueOverwrite(Costmap2D& master_grid, int min_i, int min_j, int max_i, int max_j);
   void updateWithOverwrite(Costmap2D& master_grid, int min_i, int min_j, int max_i, int max_j);
   void updateWithMax(Costmap2D& master_grid, int min_i, int min_j, int max_i, int max_j);

@@ -23,7 +23,7 @@ class FootprintCollisionChecker {
   FootprintCollisionChecker();
   explicit FootprintCollisionChecker(CostmapT costmap);
 
-  /// Of an outline in the world. LETHAL_OBSTACLE where it leaves the map.
+  /// The outline is in the world. LETHAL_OBSTACLE where it leaves the map.
   double footprintCost(const Footprint& footprint);
   double footprintCostAtPose(double x, double y, double theta, const Footprint& footprint);
   /// Along a line between two cells, both included.

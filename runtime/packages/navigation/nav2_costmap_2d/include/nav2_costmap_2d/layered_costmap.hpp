@@ -27,7 +27,7 @@ class LayeredCostmap {
   /// `size_locked`: a layer gave this size.
   void resizeMap(unsigned int size_x, unsigned int size_y, double resolution, double origin_x,
                  double origin_y, bool size_locked = false);
-  /// What the last round changed, in the world.
+  /// The part that the last round changed, in the world.
   void getUpdatedBounds(double& minx, double& miny, double& maxx, double& maxy) {
     minx = minx_;
     miny = miny_;
@@ -43,7 +43,7 @@ class LayeredCostmap {
   void addPlugin(std::shared_ptr<Layer> plugin);
   void addFilter(std::shared_ptr<Layer> filter);
   bool isSizeLocked() { return size_locked_; }
-  /// What the last round changed: columns from x0 to before xn, rows from y0 to before yn.
+  /// The part that the last round changed: columns from x0 to before xn, rows from y0 to before yn.
   void getBounds(unsigned int* x0, unsigned int* xn, unsigned int* y0, unsigned int* yn) {
     *x0 = bx0_;
     *xn = bxn_;
@@ -55,7 +55,7 @@ class LayeredCostmap {
   const std::vector<geometry_msgs::msg::Point>& getFootprint() {
     return *std::atomic_load(&footprint_);
   }
-  /// Of the footprint, around the centre of the robot.
+  /// The radii of the footprint around the centre of the robot.
   double getCircumscribedRadius() { return circumscribed_radius_.load(); }
   double getInscribedRadius() { return inscribed_radius_.load(); }
   bool isOutofBounds(double robot_x, double robot_y);

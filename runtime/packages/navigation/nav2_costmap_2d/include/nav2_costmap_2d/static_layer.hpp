@@ -1,6 +1,7 @@
 // Costs of a map that is published, for instance by map_server.
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -63,7 +64,7 @@ class StaticLayer : public CostmapLayer {
   unsigned char lethal_threshold_ = 100;
   unsigned char unknown_cost_value_ = 255;
   bool trinary_costmap_ = true;
-  bool map_received_ = false;
+  std::atomic<bool> map_received_{false};
   bool map_received_in_update_bounds_ = false;
   tf2::Duration transform_tolerance_{};
   nav_msgs::msg::OccupancyGrid::SharedPtr map_buffer_;

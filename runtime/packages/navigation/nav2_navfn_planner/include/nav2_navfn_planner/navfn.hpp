@@ -43,7 +43,7 @@ class NavFn {
   std::vector<PathPoint> path(Cell from, int most_steps) const;
 
  private:
-  /// Of length 1, or 0 where it is not defined.
+  /// Its length is 1, or 0 where it is not defined.
   struct Gradient {
     float x = 0.0F;
     float y = 0.0F;

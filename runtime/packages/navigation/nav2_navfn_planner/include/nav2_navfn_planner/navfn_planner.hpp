@@ -49,7 +49,15 @@ class NavfnPlanner : public nav2_core::GlobalPlanner {
   void turnAlongPath(Path& plan) const;
   bool cell_of(double wx, double wy, Cell& cell) const;
 
+  /// Where the costs of the planner are in the world: the costmap may get another size meanwhile.
+  struct Place {
+    double origin_x = 0.0;
+    double origin_y = 0.0;
+    double resolution = 1.0;
+  };
+
   std::unique_ptr<NavFn> planner_;
+  Place place_;
   rclcpp::Clock::SharedPtr clock_;
   rclcpp::Logger logger_{rclcpp::get_logger("NavfnPlanner")};
   nav2_costmap_2d::Costmap2D* costmap_ = nullptr;

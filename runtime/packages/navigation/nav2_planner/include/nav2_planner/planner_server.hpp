@@ -1,6 +1,7 @@
 // Plans paths over the global costmap, by the planner plugins that its parameters name.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -57,13 +58,12 @@ class PlannerServer : public nav2_util::LifecycleNode {
   std::unique_ptr<Server<ActionToPose>> action_server_pose_;
   std::unique_ptr<Server<ActionThroughPoses>> action_server_poses_;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr dyn_params_handler_;
-  std::mutex dynamic_params_lock_;
   // Before the planners, whose code it has.
   pluginlib::ClassLoader<nav2_core::GlobalPlanner> gp_loader_;
   PlannerMap planners_;
   std::vector<std::string> planner_ids_;
   std::string planner_ids_concat_;
-  double max_planner_duration_ = 0.0;  // s; 0: any
+  std::atomic<double> max_planner_duration_{0.0};  // s; 0: any
   rclcpp::Duration costmap_update_timeout_;
   std::shared_ptr<tf2_ros::Buffer> tf_;
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_ros_;
@@ -84,12 +84,13 @@ class PlannerServer : public nav2_util::LifecycleNode {
   void answer(Server<ActionT>& server, PlanT plan);
   template <typename GoalT>
   Pose startOf(const GoalT& goal);
-  void waitForCostmap();
+  void waitForCostmap(const std::function<bool()>& is_active);
   Path planBetween(Pose start, Pose goal, const std::string& planner_id,
                    const std::function<bool()>& is_cancelled);
   void setExpectedFrequency(double frequency);
   bool isPoseFree(const geometry_msgs::msg::Pose& pose) const;
-  /// What a warning about a failure names.
+  // The poses that a warning about a failure names.
+  std::mutex planning_lock_;  // one path at a time
   Pose last_start_;
   Pose last_goal_;
 };

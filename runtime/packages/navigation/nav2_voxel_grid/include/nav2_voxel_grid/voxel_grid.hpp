@@ -101,6 +101,7 @@ class VoxelGrid {
     if (!std::isfinite(length) || length < min_length) return;
     const double first = length > 0.0 ? min_length / length : 0.0;
     const double last = length > 0.0 ? std::min(1.0, max_length / length) : 1.0;
+    if (last < first) return;
     // The longest axis advances by a voxel in each step.
     const double longest = std::max({std::abs(dx), std::abs(dy), std::abs(dz)});
     const auto steps = static_cast<unsigned int>(std::ceil((last - first) * longest));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "nav2_controller/plugins/simple_progress_checker.hpp"
 
@@ -13,6 +14,8 @@ class PoseProgressChecker : public SimpleProgressChecker {
                   const std::string& plugin_name) override;
 
  protected:
+  rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
+      std::vector<rclcpp::Parameter> parameters) override;
   bool hasMoved(const geometry_msgs::msg::Pose2D& pose) const override;
 
   double required_movement_angle_ = 0.5;  // rad

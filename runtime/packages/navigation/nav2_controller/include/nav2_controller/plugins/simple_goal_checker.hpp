@@ -26,13 +26,15 @@ class SimpleGoalChecker : public nav2_core::GoalChecker {
                      geometry_msgs::msg::Twist& vel_tolerance) override;
 
  protected:
-  rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
+  virtual rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
       std::vector<rclcpp::Parameter> parameters);
 
   double xy_goal_tolerance_;   // m
   double yaw_goal_tolerance_;  // rad
   /// Once the place was reached, only the orientation counts: the robot may slide while it turns.
   bool stateful_;
+  /// The robot may as well stand the other way round.
+  bool symmetric_yaw_tolerance_;
   bool check_xy_;
   double xy_goal_tolerance_sq_;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr dyn_params_handler_;

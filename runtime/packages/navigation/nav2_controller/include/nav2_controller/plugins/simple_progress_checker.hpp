@@ -22,7 +22,7 @@ class SimpleProgressChecker : public nav2_core::ProgressChecker {
  protected:
   /// Whether it moved far enough from the baseline.
   virtual bool hasMoved(const geometry_msgs::msg::Pose2D& pose) const;
-  rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
+  virtual rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
       std::vector<rclcpp::Parameter> parameters);
 
   rclcpp::Clock::SharedPtr clock_;

@@ -21,6 +21,9 @@ class StoppedGoalChecker : public SimpleGoalChecker {
                      geometry_msgs::msg::Twist& vel_tolerance) override;
 
  protected:
+  rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
+      std::vector<rclcpp::Parameter> parameters) override;
+
   double rot_stopped_velocity_ = 0.25;    // rad/s
   double trans_stopped_velocity_ = 0.25;  // m/s
 };

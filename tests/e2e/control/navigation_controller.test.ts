@@ -64,13 +64,17 @@ controller_server:
     min_x_velocity_threshold: 0.001
     failure_tolerance: 0.3
     odom_topic: odom
-    progress_checker_plugins: ["progress_checker"]
+    progress_checker_plugins: ["progress_checker", "turning"]
     goal_checker_plugins: ["general_goal_checker", "standing", "never"]
     controller_plugins: ["FollowPath", "Creep"]
     progress_checker:
       plugin: "nav2_controller::SimpleProgressChecker"
       required_movement_radius: 0.3
       movement_time_allowance: 5.0
+    turning:
+      plugin: "nav2_controller::PoseProgressChecker"
+      required_movement_radius: 0.3
+      movement_time_allowance: 2.0
     general_goal_checker:
       plugin: "nav2_controller::SimpleGoalChecker"
       xy_goal_tolerance: 0.1
@@ -223,6 +227,7 @@ int main(int argc, char** argv) {
 const driver = `
 #include <cmath>
 
+#include "nav2_costmap_2d/costmap_subscriber.hpp"
 #include "nav2_msgs/action/compute_path_to_pose.hpp"
 #include "nav2_msgs/action/follow_path.hpp"
 #include "nav2_msgs/msg/speed_limit.hpp"
@@ -284,11 +289,12 @@ struct Feedback {
 };
 
 auto follow(const char* what, const nav_msgs::msg::Path& path, const std::string& controller, const std::string& checker,
-            std::chrono::nanoseconds cancel_after = 0s) {
+            std::chrono::nanoseconds cancel_after = 0s, const std::string& progress = "progress_checker") {
   Follow::Goal goal;
   goal.path = path;
   goal.controller_id = controller;
   goal.goal_checker_id = checker;
+  goal.progress_checker_id = progress;
   Feedback feedback;
   rclcpp_action::Client<Follow>::SendGoalOptions options;
   options.feedback_callback = [&feedback](const auto&, const std::shared_ptr<const Follow::Feedback> one) {
@@ -316,6 +322,7 @@ int main(int argc, char** argv) {
   });
   const auto limits = node->create_publisher<nav2_msgs::msg::SpeedLimit>("speed_limit", 10);
   const auto brakes = node->create_publisher<std_msgs::msg::Bool>("brake", 1);
+  nav2_costmap_2d::CostmapSubscriber costs(rclcpp::Node::WeakPtr(node), "local_costmap/costmap_raw");
   follower->wait_for_action_server();
   planner->wait_for_action_server();
   // Both servers are active once a goal is accepted.
@@ -336,6 +343,10 @@ int main(int argc, char** argv) {
   const auto& place = odometry.pose.pose.position;
   say("at the goal %d turned %d stands %d", std::hypot(place.x - 3.975, place.y + 0.025) < 0.15,
       std::abs(tf2::getYaw(odometry.pose.pose.orientation) - 1.57) < 0.25, odometry.twist.twist.linear.x == 0);
+  // The border of the map, which the window of the robot reaches here only: the costmap has another frame than the map.
+  const auto costmap = costs.getCostmap();
+  unsigned int mx = 0, my = 0;
+  say("border in the window %d: %d", costmap->worldToMap(4.45, -0.025, mx, my), costmap->getCost(mx, my));
   say("fastest %.2f, in time %d, feedback %d from %.1f to less than a metre %d", fastest, seconds < length / 0.5 + 12, feedback.count > 50,
       feedback.first, feedback.last < 1);
 
@@ -351,7 +362,7 @@ int main(int argc, char** argv) {
   brake.data = true;
   brakes->publish(brake);
   const auto back = plan(pose(2.0, -1.0));
-  follow("held", back, "FollowPath", "general_goal_checker");
+  follow("held", back, "FollowPath", "general_goal_checker", 0s, "turning");
   brake.data = false;
   brakes->publish(brake);
 
@@ -414,7 +425,7 @@ add_library(house_drive_plugins SHARED src/plugins.cpp)
 ament_target_dependencies(house_drive_plugins nav2_core nav2_costmap_2d pluginlib)
 pluginlib_export_plugin_description_file(nav2_core plugins.xml)
 ament_target_dependencies(base geometry_msgs nav2_util nav_msgs rclcpp std_msgs tf2_ros)
-ament_target_dependencies(driver nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action std_msgs tf2_geometry_msgs)
+ament_target_dependencies(driver nav2_costmap_2d nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action std_msgs tf2_geometry_msgs)
 install(TARGETS house_drive_plugins DESTINATION lib)
 install(DIRECTORY launch maps params DESTINATION share/\${PROJECT_NAME})
 `,
@@ -442,6 +453,7 @@ for (const link of played('shared')) {
       'path of 8.2 m',
       'around the wall: code 4 error 0',
       'at the goal 1 turned 1 stands 1',
+      'border in the window 1: 254',
       'fastest 0.50, in time 1, feedback 1 from 8.2 to less than a metre 1',
       'unknown controller: code 6 error 101',
       'unknown checker: code 6 error 100',

@@ -224,6 +224,7 @@ rclcpp::Publisher<sensor_msgs::msg::LaserScan>::SharedPtr scans;
 rclcpp::Publisher<sensor_msgs::msg::PointCloud2>::SharedPtr clouds;
 double block = 0;  // m in front of the robot; 0: nothing; less: the lidar is covered
 bool sees_box = false;
+int looks = 0;
 
 template <typename... T>
 void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
@@ -280,6 +281,13 @@ void look() {
     ++x; ++y; ++z;
   }
   clouds->publish(cloud);
+  // Clouds that nobody can read.
+  cloud.width = 1000;
+  clouds->publish(cloud);
+  cloud.width = 2;
+  cloud.fields.pop_back();
+  clouds->publish(cloud);
+  ++looks;
 }
 
 template <typename ActionT>
@@ -408,7 +416,8 @@ int main(int argc, char** argv) {
   block = 1.0;
   spin_until([] { return cost(world(10) + 1.0, world(10)) == 254; });
   block = -1;
-  spin_until([] { return false; }, 500ms);
+  const int seen = looks;
+  spin_until([&] { return looks > seen + 10; });
   say("stays %d", cost(world(10) + 1.0, world(10)) == 254);
   auto distance = std::make_shared<nav2_msgs::srv::ClearCostmapAroundRobot::Request>();
   distance->reset_distance = 4.0F;
@@ -525,6 +534,7 @@ for (const link of played('shared')) {
     ]);
     const length = Number(inflated.exec(lines.join('\n'))?.[1]);
     assert.ok(length > 7.5 && length < 10, `the path around the costs has ${String(length)} m`);
+    assert.ok(said(output, 'global_costmap').some((line) => line.startsWith('A cloud on /points is ignored')), output);
     assert.ok(said(output, 'planner_server').includes('Line plugin failed to plan from (-1.97, -1.97) to (-1.97, 2.03): "a goal behind the zero"'), output);
   });
 }

@@ -127,6 +127,11 @@ TEST(NavFn, TinyMaps) {
     planner.setCostmap(costs.data(), true);
     EXPECT_FALSE(planner.computePotential({0, 0}, {side - 1, side - 1}, false, nullptr));
     EXPECT_TRUE(planner.path({side - 1, side - 1}, 10).empty());
+    if (side < 3) continue;
+    // All but the one cell is border.
+    EXPECT_FALSE(planner.computePotential({1, 1}, {2, 2}, false, nullptr));
+    EXPECT_TRUE(planner.computePotential({1, 1}, {1, 1}, false, nullptr));
+    EXPECT_EQ(planner.path({1, 1}, 10).size(), 1U);
   }
 }
 

@@ -1,4 +1,4 @@
-// What nodes ask of the visitor and of the page by topics: windows and figures of Python libraries, cameras, gamepads. This code is
+// Requests of nodes to the visitor and the page, by topics: windows and figures of Python libraries, cameras, gamepads. This code is
 // loaded when the first such topic is there.
 
 import type { Session } from '../../contract/session.ts';

@@ -18,6 +18,7 @@ import { benchSim } from './sim.ts';
 import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchSoak } from './soak.ts';
+import { benchStacks } from './stacks.ts';
 import { benchStart } from './site_start.ts';
 import { benchVision } from './vision.ts';
 import { benchWaits } from './waits.ts';
@@ -55,6 +56,7 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   sim: benchSim,
   soak: benchSoak,
   solve: benchSolve,
+  stacks: benchStacks,
   start: benchStart,
   vision: benchVision,
   waits: benchWaits,

@@ -1,0 +1,75 @@
+// Nav2: the navigation function over a large map in a site, beside the same code compiled natively, in turns; and the size of
+// the servers in a site.
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { brotliCompressSync } from 'node:zlib';
+import { machineLoad } from './machine_load.ts';
+import type { BenchContext } from './run.ts';
+import { summary } from './statistics.ts';
+
+const RUNS = 5;
+/** Of the native time. */
+const RATIO_AIM = 2.5;
+const SIZE_AIM = 250_000;
+const PROGRAMS = ['nav2_planner/planner_server', 'nav2_controller/controller_server', 'nav2_amcl/amcl', 'robot_localization/ekf_node'] as const;
+const PACKAGE = 'tests/bench/packages/stacks_bench';
+const NAVFN = 'runtime/packages/navigation/nav2_navfn_planner';
+
+function run(command: string, words: readonly string[]): string {
+  const done = spawnSync(command, words, { encoding: 'utf8' });
+  if (done.status !== 0) throw new Error(`${command} ${words.join(' ')} failed: ${done.stderr}${done.stdout}`);
+  return done.stdout;
+}
+
+/** The median of the rounds of a run, in ms. */
+function median(text: string): number {
+  const times = /navfn \d+ poses ((?:[\d.]+ ?)+)/.exec(text)?.[1]?.trim().split(' ').map(Number) ?? [];
+  const middle = times[Math.floor(times.length / 2)];
+  if (middle === undefined) throw new Error(`no times: ${text}`);
+  return middle;
+}
+
+export function benchStacks(context: BenchContext): void {
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
+  try {
+    cpSync(join(context.root, PACKAGE), join(folder, 'stacks_bench'), { recursive: true });
+    const nodes = ['  - {package: stacks_bench, executable: navfn}', ...PROGRAMS.map((path) => {
+      const [name, executable] = path.split('/');
+      return `  - {package: ${String(name)}, executable: ${String(executable)}}`;
+    })];
+    writeFileSync(join(folder, 'workspace.yaml'), `schema: 1\nname: stacks\npackages: [stacks_bench]\nnodes:\n${nodes.join('\n')}\n`);
+    const site = join(folder, 'site');
+    run(join(context.build, 'ros2wasm'), ['pack', join(folder, 'workspace.yaml'), '-o', site]);
+    const native = join(folder, 'native');
+    run('g++', ['-O2', '-std=c++17', `-I${join(context.root, NAVFN, 'include')}`, join(context.root, NAVFN, 'src/navfn.cpp'),
+      join(context.root, PACKAGE, 'src/native.cpp'), '-o', native]);
+    const ours: number[] = [];
+    const peers: number[] = [];
+    for (let i = 0; i < RUNS; ++i) {
+      peers.push(median(run(native, [])));
+      ours.push(median(run(join(context.build, 'ros2wasm'), ['run', site, '--for', '8s'])));
+    }
+    const ratios = summary(ours.map((time, i) => time / (peers[i] ?? Number.NaN)));
+    context.emit({
+      bench: 'stacks',
+      what: 'ms of NavFn on 1000 x 1000 cells, Node.js',
+      ...summary(ours),
+      peer: 'native, g++ -O2',
+      ms: summary(peers),
+      ratios,
+      aim: RATIO_AIM,
+      load: machineLoad(),
+    });
+    if (ratios.median > RATIO_AIM) context.fail(`stacks: NavFn takes ${String(ratios.median)} times as long as natively, the aim is ${String(RATIO_AIM)}`);
+    for (const path of PROGRAMS) {
+      const program = readFileSync(join(site, `programs/${path}.wasm`));
+      const brotli = brotliCompressSync(program).length;
+      context.emit({ bench: 'stacks', what: `${path}.wasm`, raw: program.length, brotli, aim: SIZE_AIM });
+      if (brotli > SIZE_AIM) context.fail(`stacks: ${path} has ${String(brotli)} bytes, the aim is ${String(SIZE_AIM)}`);
+    }
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

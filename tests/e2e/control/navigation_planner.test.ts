@@ -274,7 +274,7 @@ void look() {
   modifier.setPointCloud2FieldsByString(1, "xyz");
   modifier.resize(2);
   // Without the box, what is behind it in the same direction.
-  const float points[2][3] = {{0.0F, sees_box ? 1.0F : 2.8F, sees_box ? 0.2F : 0.56F}, {std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F}};
+  const float points[2][3] = {{0.0F, sees_box ? 1.0F : 2.8F, sees_box ? 0.225F : 0.63F}, {std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F}};
   sensor_msgs::PointCloud2Iterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z");
   for (const auto& point : points) {
     *x = point[0]; *y = point[1]; *z = point[2];

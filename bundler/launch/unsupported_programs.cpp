@@ -33,8 +33,8 @@ constexpr std::string_view kJoystick =
     "it reads a device, which no browser reaches; `joy_node` of the package `joy` reads the "
     "gamepad of the visitor";
 constexpr std::string_view kNavigation =
-    "no channel of the workspace has it; `sources:` of workspace.yaml can name a repository that "
-    "does, or a node of the workspace does its work";
+    "the workspace does not depend on it, or no channel has it; `dependencies:` of workspace.yaml "
+    "names packages of channels, `sources:` repositories that have others";
 constexpr std::string_view kSimulator = "a site has no simulator";
 
 constexpr StandIn kStandIns[] = {

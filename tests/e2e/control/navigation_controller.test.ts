@@ -1,8 +1,8 @@
 // The controller server of Nav2 with a planner server: a robot follows a path around a wall with regulated pure pursuit, is stopped, held
 // and blocked; codes of errors, and a controller and a goal checker of the workspace. Headless.
 
-// Compatibility, works: Nav2's `controller_server` with regulated pure pursuit, SimpleGoalChecker, StoppedGoalChecker, SimpleProgressChecker
-// and PoseProgressChecker, `follow_path`, `speed_limit`, and controllers and checkers of the workspace
+// Compatibility, works: Nav2's `controller_server` with regulated pure pursuit, SimpleGoalChecker, StoppedGoalChecker, PositionGoalChecker,
+// SimpleProgressChecker and PoseProgressChecker, `follow_path`, `speed_limit`, and controllers and checkers of the workspace
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -65,7 +65,7 @@ controller_server:
     failure_tolerance: 0.3
     odom_topic: odom
     progress_checker_plugins: ["progress_checker", "turning"]
-    goal_checker_plugins: ["general_goal_checker", "standing", "never"]
+    goal_checker_plugins: ["general_goal_checker", "standing", "place", "never"]
     controller_plugins: ["FollowPath", "Creep"]
     progress_checker:
       plugin: "nav2_controller::SimpleProgressChecker"
@@ -84,6 +84,9 @@ controller_server:
       xy_goal_tolerance: 0.25
       yaw_goal_tolerance: 3.2
       trans_stopped_velocity: 0.05
+    place:
+      plugin: "nav2_controller::PositionGoalChecker"
+      xy_goal_tolerance: 0.3
     never:
       plugin: "house_drive::Never"
     FollowPath:
@@ -350,6 +353,10 @@ int main(int argc, char** argv) {
   say("fastest %.2f, in time %d, feedback %d from %.1f to less than a metre %d", fastest, seconds < length / 0.5 + 12, feedback.count > 50,
       feedback.first, feedback.last < 1);
 
+  nav_msgs::msg::Path opposite = around;
+  opposite.poses.back() = pose(2.0, -2.0, -1.57);
+  follow("place only", opposite, "FollowPath", "place");
+  say("turned as before %d", std::abs(tf2::getYaw(odometry.pose.pose.orientation) - 1.57) < 0.25);
   follow("unknown controller", around, "Nobody", "general_goal_checker");
   follow("unknown checker", around, "FollowPath", "nothing");
   follow("empty path", nav_msgs::msg::Path(), "FollowPath", "general_goal_checker");
@@ -455,6 +462,8 @@ for (const link of played('shared')) {
       'at the goal 1 turned 1 stands 1',
       'border in the window 1: 1',
       'fastest 0.50, in time 1, feedback 1 from 8.2 to less than a metre 1',
+      'place only: code 4 error 0',
+      'turned as before 1',
       'unknown controller: code 6 error 101',
       'unknown checker: code 6 error 100',
       'empty path: code 6 error 103',

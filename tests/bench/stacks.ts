@@ -10,7 +10,7 @@ import type { BenchContext } from './run.ts';
 import { summary } from './statistics.ts';
 
 const RUNS = 10;
-/** Of the native time. */
+/** The time in the site divided by the native time. */
 const RATIO_AIM = 2.5;
 const SIZE_AIM = 250_000;
 const PROGRAMS = ['nav2_planner/planner_server', 'nav2_controller/controller_server', 'nav2_amcl/amcl', 'robot_localization/ekf_node'] as const;

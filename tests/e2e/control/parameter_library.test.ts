@@ -29,7 +29,7 @@ after(() => workspace.close());
 /** The lines that a node has said, without time and name of rclcpp. */
 function said(session: Session, program: string): string[] {
   const node = session.nodes().find(({ executable }) => executable === program);
-  assert.ok(node, `there is no program ${program}`);
+  assert.ok(node, `the site does not have the program ${program}`);
   return session.console(node.id).lines().map(({ text }) => text.replace(/^\[INFO\] \[[\d.]+\] \[[\w.]+\]: /, ''));
 }
 
@@ -174,7 +174,7 @@ test('a mistake in a YAML file stops the build with its line', watchdog, async (
     own.write('workspace.yaml', 'schema: 1\nname: wrong\npackages: [src/*]\nlaunch: [{package: wrong, executable: node}]\n');
     const { code, stderr } = await own.run(['pack']);
     assert.equal(code, 1);
-    assert.match(stderr, /src\/wrong\.yaml:5: error: there is no function `boundz` for the validation of rate\n.*fix: write `bounds<>`/);
+    assert.match(stderr, /src\/wrong\.yaml:5: error: `boundz`, the validation of rate, is not a known function\n.*fix: write `bounds<>`/);
   } finally {
     own.close();
   }

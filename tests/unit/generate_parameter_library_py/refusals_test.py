@@ -82,7 +82,7 @@ class RefusalsTest(GeneratorTest):
         return self.refused_parameter(f'type: {type_}, validation: {text}')
 
     def test_validation(self) -> None:
-        self.assertIn('there is no function `boundz` for the validation of x\n  fix: write `bounds<>`',
+        self.assertIn('`boundz`, the validation of x, is not a known function\n  fix: write `bounds<>`',
                       self.validation('int', '{boundz<>: [1, 2]}'))
         self.assertIn('`bounds` of x has other arguments than it takes\n  fix: it takes two',
                       self.validation('int', '{bounds<>: [1]}'))

@@ -240,7 +240,7 @@ def cpp_header(file: ParameterFile, validators: str = '') -> str:
     lines += [f'namespace {name} {{', '', *(f'using rsl::{one};' for one in VALIDATORS), '']
     lines += ['struct Params {', *everything.lines(root, 'Params', '  '),
               '  rclcpp::Time __stamp;  ///< of the last change', '};', '']
-    lines += ['/// Of the parameters, those that need no memory of their own.', 'struct StackParams {',
+    lines += ['/// The parameters that allocate no memory.', 'struct StackParams {',
               *on_stack.lines(root, 'StackParams', '  '), '};', '']
     lines += [
         '/// Used by ParamListener only.', 'struct ParamDescription {',

@@ -30,7 +30,7 @@ class MapOf:
         return entries[name]
 
     def get_entry(self, name: str) -> Any:
-        """KeyError: there is no such key."""
+        """Raises KeyError for an unknown key."""
         return self.__dict__.get('_entries', {})[name]
 
 

@@ -335,7 +335,7 @@ class FileReader:
         function, is_template = name.removesuffix('<>'), name.endswith('<>')
         if function not in VALIDATORS and '::' not in function and not self._has_validators:
             near = difflib.get_close_matches(function, VALIDATORS, 1)
-            raise self.error(line, f'there is no function `{function}` for the validation of {shown}',
+            raise self.error(line, f'`{function}`, the validation of {shown}, is not a known function',
                              f'write `{near[0]}<>`' if near else 'write one of ' + ', '.join(sorted(VALIDATORS)),
                              'functions of your own have their namespace in front, and come in the file that is the '
                              'third argument')

@@ -101,7 +101,7 @@ void AmclNode::handleInitialPose(const PoseWithCovariance& msg) {
             .transform,
         driven);
   } catch (const tf2::TransformException& error) {
-    // At first there is no odometry, and a robot that did not move.
+    // Before the first odometry the robot counts as not moved, and a warning would alarm for nothing.
     if (sent_first_transform_) {
       RCLCPP_WARN(get_logger(), "Failed to transform initial pose in time (%s)", error.what());
     }

@@ -92,24 +92,8 @@ void VoxelLayer::updateOrigin(double new_origin_x, double new_origin_y) {
 void VoxelLayer::updateBounds(double robot_x, double robot_y, double robot_yaw, double* min_x,
                               double* min_y, double* max_x, double* max_y) {
   const Lock lock(*getMutex());
-  if (rolling_window_) {
-    updateOrigin(robot_x - getSizeInMetersX() / 2, robot_y - getSizeInMetersY() / 2);
-  }
-  if (!enabled_) return;
-  useExtraBounds(min_x, min_y, max_x, max_y);
-  std::vector<Observation> marking;
-  std::vector<Observation> clearing;
-  const bool has_marks = getMarkingObservations(marking);
-  const bool has_clears = getClearingObservations(clearing);
-  current_ = has_marks && has_clears;
-  for (const Observation& observation : clearing) {
-    raytraceFreespace(observation, min_x, min_y, max_x, max_y);
-  }
-  for (const Observation& observation : marking) {
-    markObservation(observation, min_x, min_y, max_x, max_y);
-  }
-  if (publish_voxel_) publishVoxels();
-  updateFootprint(robot_x, robot_y, robot_yaw, min_x, min_y, max_x, max_y);
+  ObstacleLayer::updateBounds(robot_x, robot_y, robot_yaw, min_x, min_y, max_x, max_y);
+  if (enabled_ && publish_voxel_) publishVoxels();
 }
 
 void VoxelLayer::markObservation(const Observation& observation, double* min_x, double* min_y,

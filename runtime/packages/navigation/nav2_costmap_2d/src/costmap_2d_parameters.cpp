@@ -162,7 +162,7 @@ std::string Costmap2DROS::applyParameter(const rclcpp::Parameter& parameter, boo
                       "Rejecting robot_base_frame change to %s , leaving it to its original value "
                       "of %s",
                       parameter.as_string().c_str(), robot_base_frame_.c_str());
-          return "there is no transform from " + parameter.as_string();
+          return "the costmap has no transform from " + parameter.as_string();
         }
         robot_base_frame_ = parameter.as_string();
       }

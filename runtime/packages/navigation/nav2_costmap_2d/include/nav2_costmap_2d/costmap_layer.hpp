@@ -36,7 +36,7 @@ class CostmapLayer : public Layer, public Costmap2D {
   /// Widens bounds by a point.
   void touch(double x, double y, double* min_x, double* min_y, double* max_x, double* max_y);
   void useExtraBounds(double* min_x, double* min_y, double* max_x, double* max_y);
-  /// Max, with a warning, when there is no method of this number.
+  /// An unknown number gives Max and a warning.
   CombinationMethod combination_method_from_int(const int value);
 
   bool has_extra_bounds_;

@@ -54,6 +54,9 @@ class ObstacleLayer : public CostmapLayer {
   bool getClearingObservations(std::vector<Observation>& clearing_observations) const;
   virtual void raytraceFreespace(const Observation& clearing_observation, double* min_x,
                                  double* min_y, double* max_x, double* max_y);
+  /// Marks the cells of the points that are in range, and widens bounds by them.
+  virtual void markObservation(const Observation& observation, double* min_x, double* min_y,
+                               double* max_x, double* max_y);
   /// Widens bounds by the part of a ray that is between two ranges.
   void updateRaytraceBounds(double ox, double oy, double wx, double wy, double max_range,
                             double min_range, double* min_x, double* min_y, double* max_x,
@@ -86,8 +89,6 @@ class ObstacleLayer : public CostmapLayer {
   template <typename MessageT, typename CallbackT>
   void subscribe(const std::string& topic, const std::string& sensor_frame, size_t queue,
                  CallbackT callback);
-  void markObservation(const Observation& observation, double* min_x, double* min_y, double* max_x,
-                       double* max_y);
   void bufferScan(const sensor_msgs::msg::LaserScan& scan, ObservationBuffer& buffer);
 };
 

@@ -32,6 +32,8 @@ class VoxelLayer : public ObstacleLayer {
   virtual void resetMaps();
   virtual void raytraceFreespace(const Observation& clearing_observation, double* min_x,
                                  double* min_y, double* max_x, double* max_y);
+  void markObservation(const Observation& observation, double* min_x, double* min_y, double* max_x,
+                       double* max_y) override;
   rcl_interfaces::msg::SetParametersResult dynamicParametersCallback(
       std::vector<rclcpp::Parameter> parameters);
 
@@ -73,8 +75,6 @@ class VoxelLayer : public ObstacleLayer {
 
  private:
   void readParameters();
-  void markObservation(const Observation& observation, double* min_x, double* min_y, double* max_x,
-                       double* max_y);
   void publishVoxels();
 };
 

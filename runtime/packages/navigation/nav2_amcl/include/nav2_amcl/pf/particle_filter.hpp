@@ -64,7 +64,7 @@ class ParticleFilter {
   /// Since the last reset or resampling, as are the following.
   const std::vector<PoseEstimate>& clusters() const { return clusters_; }
   const PoseEstimate& whole() const { return whole_; }
-  /// The cluster with the largest weight; null when there are no particles.
+  /// The cluster with the largest weight; null when the filter has no particles.
   const PoseEstimate* best_cluster() const;
   /// True when all particles are within 0.5 m of their mean in x and y.
   bool is_converged() const { return is_converged_; }

@@ -3,6 +3,7 @@
 
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { expandName } from '../../decode/ros_names.ts';
+import { wantedGamepads } from '../model/gamepads.ts';
 import { flagMember, member, numberMember, textMember } from '../model/json.ts';
 import { driveTopics, isRest, REST, TWIST, TWIST_STAMPED, padStick, sumOf } from '../model/twist.ts';
 import type { Stick } from '../model/twist.ts';
@@ -12,8 +13,7 @@ import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useLetGo } from '../parts/use_let_go.ts';
 import { TwistSender } from '../parts/twist_sender.ts';
-import { useGamepadWish } from '../parts/use_gamepad_wish.ts';
-import { useGraph } from '../parts/watch.ts';
+import { useGraph, useTopics } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
@@ -102,7 +102,7 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
   }, [session, codec, topic, stamped, frame, linear, angular, rate]);
   useLetGo(release);
   /** A node drives by the gamepad: two would disagree. */
-  const isForNode = useGamepadWish(session);
+  const isForNode = wantedGamepads(useTopics(session)).length > 0;
   const pad = useGamepad(usesPad && !isForNode, (stick) => hold('gamepad', stick));
 
   const open = (): void => {

@@ -11,20 +11,19 @@ import { codecOf } from './message_feed.ts';
 const PANEL = 'figure';
 
 /** `open` null: no panel is opened. */
-export function useFigures(session: Session, tabs: readonly PanelTab[], open: ((panel: string, state: Json) => void) | null): void {
-  const newest = useRef(open);
-  newest.current = open;
+export function useFigures(
+  session: Session,
+  topics: readonly TopicView[],
+  tabs: readonly PanelTab[],
+  open: ((panel: string, state: Json) => void) | null,
+): void {
+  const before = useRef<readonly string[]>([]);
   const shown = useRef<readonly string[]>([]);
   useEffect(() => {
-    let before = new Set<string>();
-    const follow = (topics: readonly TopicView[]): void => {
-      const now = figuresOf(topics);
-      for (const topic of now) if (!before.has(topic)) newest.current?.(PANEL, { topic });
-      before = new Set(now);
-    };
-    follow(session.topics());
-    return session.onTopics(follow);
-  }, [session]);
+    const now = figuresOf(topics);
+    for (const topic of now) if (!before.current.includes(topic)) open?.(PANEL, { topic });
+    before.current = now;
+  }, [topics]);
   useEffect(() => {
     const now = tabs.filter(({ panel }) => panel === PANEL).map(({ state }) => textMember(state, 'topic'));
     const closed = shown.current.filter((topic) => !now.includes(topic));

@@ -1,14 +1,15 @@
 // Requests of nodes to the visitor and the page, by topics: windows and figures of Python libraries, cameras, gamepads. This code is
 // loaded when the first such topic is there.
 
-import type { Session } from '../../contract/session.ts';
+import type { Session, TopicView } from '../../contract/session.ts';
+import { wantedCameras } from '../model/camera_wishes.ts';
+import { wantedGamepads } from '../model/gamepads.ts';
 import type { Json } from '../model/json.ts';
 import type { PanelTab } from '../model/layout.ts';
-import { useCameras } from './use_cameras.ts';
 import { useCvWindows } from './use_cv_windows.ts';
 import { useFigures } from './use_figures.ts';
-import { useGamepadWish } from './use_gamepad_wish.ts';
 import { useLoaded } from './use_loaded.ts';
+import { useTopics } from './watch.ts';
 
 export interface VisitorLinksProps {
   readonly session: Session;
@@ -17,27 +18,32 @@ export interface VisitorLinksProps {
   readonly open: ((panel: string, state: Json) => void) | null;
 }
 
+interface LinkProps {
+  readonly session: Session;
+  readonly topics: readonly TopicView[];
+}
+
 export function VisitorLinks({ session, tabs, open }: VisitorLinksProps) {
-  useCvWindows(session, open);
-  useFigures(session, tabs, open);
+  const topics = useTopics(session);
+  useCvWindows(topics, open);
+  useFigures(session, topics, tabs, open);
   return (
     <>
-      <Cameras session={session} />
-      <Gamepads session={session} />
+      <Cameras session={session} topics={topics} />
+      <Gamepads session={session} topics={topics} />
     </>
   );
 }
 
 /** Asks for the visitor's camera when a program requests it. */
-function Cameras({ session }: { readonly session: Session; }) {
-  const numbers = useCameras(session);
+function Cameras({ session, topics }: LinkProps) {
+  const numbers = wantedCameras(topics);
   const code = useLoaded(numbers.length > 0, () => import('./camera_bar.tsx'));
   return code === null ? null : numbers.map((number) => <code.CameraBar key={number} session={session} number={number} />);
 }
 
 /** Reads the visitor's gamepads while nodes wait for them. */
-function Gamepads({ session }: { readonly session: Session; }) {
-  const isWanted = useGamepadWish(session);
-  const code = useLoaded(isWanted, () => import('./gamepad_link.ts'));
+function Gamepads({ session, topics }: LinkProps) {
+  const code = useLoaded(wantedGamepads(topics).length > 0, () => import('./gamepad_link.ts'));
   return code === null ? null : <code.GamepadLink session={session} />;
 }

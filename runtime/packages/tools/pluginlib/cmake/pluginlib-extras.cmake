@@ -10,3 +10,4 @@ macro(_pluginlib_register_package_hook)
 endmacro()
 
 include("${pluginlib_DIR}/pluginlib_export_plugin_description_file.cmake")
+include("${pluginlib_DIR}/ros2wasm_link_plugins.cmake")

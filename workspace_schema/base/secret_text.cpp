@@ -2,6 +2,7 @@
 #include "workspace_schema/base/secret_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace ros2wasm {
 namespace {
@@ -24,6 +25,15 @@ bool ends_address(char c) {
          c == '>';
 }
 
+/// A path of this machine has no token: `/t/` there is a folder.
+bool is_file(std::string_view text, std::size_t after_scheme) {
+  std::size_t begin = after_scheme - 3;
+  while (begin > 0 && std::isalnum(static_cast<unsigned char>(text[begin - 1])) != 0) --begin;
+  std::string scheme(text.substr(begin, after_scheme - 3 - begin));
+  for (char& c : scheme) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return scheme == "file";
+}
+
 /// `after_scheme`: behind the `://`.
 Parts parts_of(std::string_view text, std::size_t after_scheme) {
   Parts parts;
@@ -33,6 +43,7 @@ Parts parts_of(std::string_view text, std::size_t after_scheme) {
   const std::size_t host_end = std::min(address.find_first_of("/?#", after_scheme), parts.end);
   const std::size_t at = address.substr(0, host_end).rfind('@');
   if (at != std::string_view::npos && at >= after_scheme) parts.user_info = {after_scheme, at};
+  if (is_file(text, after_scheme)) return parts;
   const std::size_t mark = address.find("/t/", host_end);
   if (mark == std::string_view::npos) return parts;
   const std::size_t begin = mark + 3;

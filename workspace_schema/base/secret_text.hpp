@@ -7,7 +7,8 @@
 namespace ros2wasm {
 
 /// The text with every `user:password@` behind `://` and every token of a `/t/TOKEN/` path in an
-/// address replaced by `*`, character by character, so that places in it stay where they were.
+/// address replaced by `*`, character by character, so that places in it stay where they were. An
+/// address of `file:` has no token.
 [[nodiscard]] std::string with_masked_secrets(std::string_view text);
 
 /// The address without its credentials: `https://user:pw@host/t/abc/x` is `https://host/x`.

@@ -79,11 +79,14 @@ TEST(SecretText, MasksKeepPlacesAndLeaveTheRest) {
   EXPECT_EQ(with_masked_secrets("at https://u:p@h/x and \"ftp://q@h\""),
             "at https://***@h/x and \"ftp://*@h\"");
   EXPECT_EQ(with_masked_secrets("https://h/t/abc-1/x?a=/t/z"), "https://h/t/*****/x?a=/t/z");
-  for (const char* same : {"no address", "https://h/a@b", "a://", "://", "https://h/t/", "/t/abc/"})
+  for (const char* same : {"no address", "https://h/a@b", "a://", "://", "https://h/t/", "/t/abc/",
+                           "file:///t/abc/x", "FILE:///home/t/abc"})
     EXPECT_EQ(with_masked_secrets(same), same);
   EXPECT_EQ(without_secrets("https://u:p@h:1/t/abc/x"), "https://h:1/x");
   EXPECT_EQ(without_secrets("https://h/t/abc"), "https://h");
   EXPECT_EQ(without_secrets("/t/abc/x"), "/t/abc/x");
+  EXPECT_EQ(without_secrets("file:///home/t/abc/x"), "file:///home/t/abc/x");
+  EXPECT_EQ(without_secrets("profile://h/t/abc/x"), "profile://h/x");
 }
 
 TEST(IndexCopyState, RoundTripAndDamage) {

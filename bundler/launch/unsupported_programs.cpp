@@ -162,8 +162,12 @@ std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
          .file = place_in_site(configuration_of(process.node))});
   }
   // It says how a gamepad is connected, and drives without one.
+  const auto is_joy = [](const auto& started) { return started.node.package.value == "joy"; };
   if (std::any_of(description.processes.begin(), description.processes.end(),
-                  [](const LaunchProcess& process) { return process.node.package.value == "joy"; }))
+                  [&is_joy](const LaunchProcess& process) {
+                    return is_joy(process) || std::any_of(process.components.begin(),
+                                                          process.components.end(), is_joy);
+                  }))
     add({.panel = "teleop"});
   // In the place of Gazebo's own window.
   if (std::any_of(

@@ -283,7 +283,7 @@ def written(package: str) -> list[tuple[str, str]]:
         for name in sorted(names):
             path = posixpath.join(folder, name)
             try:
-                with open(path, encoding='utf-8') as stream:
+                with open(path, encoding='utf-8', newline='') as stream:
                     result.append((posixpath.relpath(path, prefix), stream.read()))
             except UnicodeDecodeError:
                 raise SetupError(f"it installs '{posixpath.relpath(path, prefix)}', which is not text") from None

@@ -12,6 +12,7 @@ import { summary } from './statistics.ts';
 const RUNS = 10;
 /** The time in the site divided by the native time. */
 const RATIO_AIM = 2.5;
+const LEAST_POSES = 980;
 const SIZE_AIM = 250_000;
 const PROGRAMS = ['nav2_planner/planner_server', 'nav2_controller/controller_server', 'nav2_amcl/amcl', 'robot_localization/ekf_node'] as const;
 const PACKAGE = 'tests/bench/packages/stacks_bench';
@@ -23,9 +24,11 @@ function run(command: string, words: readonly string[]): string {
   return done.stdout;
 }
 
-/** The median of the rounds of a run, in ms. */
+/** The median of the rounds of a run, in ms. A plan straight across the map has at least so many poses as it has rows. */
 function median(text: string): number {
-  const times = /navfn \d+ poses ((?:[\d.]+ ?)+)/.exec(text)?.[1]?.trim().split(' ').map(Number) ?? [];
+  const [, poses, list] = /navfn (\d+) poses ((?:[\d.]+ ?)+)/.exec(text) ?? [];
+  if (Number(poses) < LEAST_POSES) throw new Error(`no plan: ${text}`);
+  const times = list?.trim().split(' ').map(Number) ?? [];
   const middle = times[Math.floor(times.length / 2)];
   if (middle === undefined) throw new Error(`no times: ${text}`);
   return middle;

@@ -25,6 +25,9 @@ TEST(UnsupportedPrograms, TeleopIsOpenForGamepadsWhetherJoyIsInTheSiteOrNot) {
   EXPECT_EQ(panels_for({"joy", "teleop_twist_joy", "joy"}, true), teleop);
   EXPECT_EQ(panels_for({"joy", "joy_linux"}, false), teleop);
   EXPECT_TRUE(panels_for({"teleop_twist_joy"}, true).empty());
+  LaunchDescription composed;
+  composed.processes.emplace_back().components.emplace_back().node.package.value = "joy";
+  EXPECT_EQ(stand_in_panels(composed, [](const std::string&) { return true; }), teleop);
 }
 
 }  // namespace

@@ -49,6 +49,11 @@ def text(value: str) -> str:
     return f'"{"".join(bytes_)}"'
 
 
+def exact(value: str) -> str:
+    """A std::string, with the zero bytes that a literal would end at."""
+    return f'std::string({text(value)}, {len(value.encode())})'
+
+
 def described(value: str) -> str:
     """A description as `ros2 param describe` shows it natively: without backquotes, lines indented."""
     return text(value.replace('`', '').replace('\n', '\n    '))
@@ -66,7 +71,7 @@ def literal(value: Any) -> str:
     if isinstance(value, bool):
         return 'true' if value else 'false'
     if isinstance(value, str):
-        return text(value)
+        return exact(value) if '\0' in value else text(value)
     if isinstance(value, float):
         return number(value)
     if isinstance(value, list):
@@ -89,16 +94,11 @@ def initial(parameter: Parameter) -> str:
         return '{}'
     value = parameter.default
     if not parameter.type.capacity:
-        return ' = ' + (literal(value) if isinstance(value, (list, float, int)) or '\0' not in value else exact(value))
+        return f' = {literal(value)}'
     if parameter.type.is_array:
         # In two pairs of braces, two texts would be the ends of one.
         return f' = {literal(value)}' if value else '{}'
     return f'{{{exact(value)}}}'
-
-
-def exact(value: str) -> str:
-    """A std::string, with the zero bytes that a literal would end at."""
-    return f'std::string({text(value)}, {len(value.encode())})'
 
 
 class Structures:

@@ -29,8 +29,9 @@ def type_name(name: str) -> str:
     return ''.join(word.title() for word in name.split('_'))
 
 
-def as_identifier(text: str) -> str:
-    """A name near to `text` that is one."""
-    name = re.sub(r'\W', '_', text, flags=re.ASCII)
-    is_free = name not in CPP_KEYWORDS and not keyword.iskeyword(name)
-    return name if IDENTIFIER.fullmatch(name) and is_free else f'{name}_'
+def suggestion(text: str) -> str:
+    """A name near to `text` that can be one in C++ and Python."""
+    name = re.sub(r'\W', '_', text, flags=re.ASCII).lstrip('_') or 'name'
+    if name[0].isdigit():
+        name = f'_{name}'
+    return name if name not in CPP_KEYWORDS and not keyword.iskeyword(name) else f'{name}_'

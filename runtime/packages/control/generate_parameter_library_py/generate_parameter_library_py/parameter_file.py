@@ -29,6 +29,8 @@ VALIDATORS = {
     'bounds': 2, 'element_bounds': 2, 'fixed_size': 1, 'gt': 1, 'gt_eq': 1, 'lower_bounds': 1,
     'lower_element_bounds': 1, 'lt': 1, 'lt_eq': 1, 'not_empty': 0, 'one_of': 1, 'size_gt': 1, 'size_lt': 1,
     'subset_of': 1, 'unique': 0, 'upper_bounds': 1, 'upper_element_bounds': 1}
+FOR_ARRAYS = ('element_bounds', 'lower_element_bounds', 'upper_element_bounds')
+FOR_SCALARS = ('bounds', 'gt', 'gt_eq', 'lower_bounds', 'lt', 'lt_eq', 'upper_bounds')
 WITH_A_LIST = ('one_of', 'subset_of')
 LONGEST = 2**63
 
@@ -175,17 +177,19 @@ class FileReader:
         if name.startswith('__') or not names.is_name(name, self._language):
             language = {'cpp': 'C++', 'python': 'Python'}[self._language]
             raise self.error(line, f'{what} `{name}` cannot be a name in {language}',
-                             f'name it `{names.as_identifier(name).lstrip("_") or "name"}`')
+                             f'name it `{names.suggestion(name)}`')
 
     def _group(self, name: str, path: tuple[str, ...], mapping: Mapping, line: int) -> Group:
         inner = (*path, name) if name else path
         shown = '.'.join(inner)
         keys = self._keys_of(name, path, line) if name.startswith(MAP) else None
         members: list[Union[Parameter, Group]] = []
-        for key, again in mapping.repeated.items():
-            self.warn(again, f'`{key}` is there twice, and this one counts')
+        self._warn_of_repeated(mapping)
         for key, value in mapping.members.items():
             at = mapping.lines[key]
+            if self._language == 'cpp' and key.startswith(MAP) and f'{key.removeprefix(MAP)}_map' in mapping.members:
+                raise self.error(at, f'the member for `{key}` in C++ has the name of `{key.removeprefix(MAP)}_map` beside it',
+                                 f'give `{key.removeprefix(MAP)}_map` another name')
             if not isinstance(value.content, Mapping):
                 self.warn(at, f'`{key}` is neither a parameter nor a group, and is passed over')
                 continue
@@ -202,6 +206,10 @@ class FileReader:
         if not mapping.members:
             raise self.error(line, f'`{shown}` is empty', 'give it `type:`, or parameters below it')
         return Group(name, path, tuple(members), keys, line)
+
+    def _warn_of_repeated(self, mapping: Mapping) -> None:
+        for key, line in mapping.repeated.items():
+            self.warn(line, f'`{key}` is there twice, and this one counts')
 
     def _keys_of(self, name: str, path: tuple[str, ...], line: int) -> str:
         """As upstream looks for it: in the group around the outermost map, then further out."""
@@ -225,6 +233,7 @@ class FileReader:
 
     def _parameter(self, name: str, path: tuple[str, ...], mapping: Mapping, line: int) -> Parameter | None:
         shown = '.'.join((*path, name))
+        self._warn_of_repeated(mapping)
         for key in mapping.members:
             if key not in KEYS_OF_PARAMETER:
                 near = difflib.get_close_matches(key, KEYS_OF_PARAMETER, 1)
@@ -264,7 +273,7 @@ class FileReader:
         if value is None or value.content is None:
             return ''
         if isinstance(value.content, (list, Mapping)):
-            raise self.error(value.line, f'`{key}` is a text', 'put it in quotes')
+            raise self.error(value.line, f'`{key}` must be a text', 'put it in quotes')
         return str(value.content)
 
     def _is_read_only(self, shown: str, mapping: Mapping) -> bool:
@@ -284,15 +293,18 @@ class FileReader:
         parts = [one.content for one in content] if isinstance(content, list) else [content]
         good = is_list == type_.is_array and all(is_of(type_.base, one) for one in parts)
         if not good:
+            wrong = next((one for one in parts if not is_of(type_.base, one)), None)
+            got = f'an array with {type_of(Value(wrong, 0))}' if is_list and type_.is_array else type_of(value)
             text = parts[0] if parts and isinstance(parts[0], str) else ''
             raise self.error(
-                value.line, f'Parameter {shown} has incorrect type. Expected: {type_}, got: {type_of(value)}',
+                value.line, f'Parameter {shown} has incorrect type. Expected: {type_}, got: {got}',
                 *self._way_out(type_, is_list, text))
         converted = [float(one) if type_.base == 'double' else one for one in parts]
         length = len(converted) if type_.is_array else len(str(converted[0]).encode())
         if type_.capacity and length > type_.capacity:
-            raise self.error(value.line, f'the default of {shown} has {length} of at most {type_.capacity}',
-                             f'make it shorter, or the type `{dataclasses.replace(type_, capacity=length)}`')
+            unit = 'elements' if type_.is_array else 'bytes'
+            raise self.error(value.line, f'the default of {shown} has {length} {unit}, and `{type_}` holds '
+                             f'{type_.capacity}', f'make it shorter, or the type `{dataclasses.replace(type_, capacity=length)}`')
         return converted if type_.is_array else converted[0]
 
     def _way_out(self, type_: Type, is_list: bool, text: str) -> list[str]:
@@ -339,6 +351,8 @@ class FileReader:
                              f'write `{near[0]}<>`' if near else 'write one of ' + ', '.join(sorted(VALIDATORS)),
                              'functions of your own have their namespace in front, and come in the file that is the '
                              'third argument')
+        if self._language == 'python' and function not in VALIDATORS:
+            self._check_python_function(shown, function, line)
         contents = value.content if isinstance(value.content, list) else [] if value.content is None else [value]
         arguments = tuple(self._argument(shown, one) for one in contents)
         wanted = VALIDATORS.get(function)
@@ -354,12 +368,30 @@ class FileReader:
             self._check_arguments(shown, type_, function, arguments, line)
         return Validator(function, is_template, arguments)
 
+    def _check_python_function(self, shown: str, function: str, line: int) -> None:
+        """The generated module knows the user's functions as attributes of `custom_validators` only."""
+        last = function.rpartition('::')[2].partition('<')[0]
+        if self._has_validators and function == f'custom_validators::{last}' and names.is_name(last, 'python'):
+            return
+        raise self.error(
+            line, f'`{function}`, the validation of {shown}, cannot be called from Python',
+            f'write `{last}<>`' if last in VALIDATORS else
+            f'write `custom_validators::{names.suggestion(last)}`, and name the module that has it')
+
     def _check_arguments(self, shown: str, type_: Type, function: str, arguments: tuple[Any, ...], line: int) -> None:
         flat = arguments[0] if function in WITH_A_LIST else arguments
         is_length = function in ('fixed_size', 'size_gt', 'size_lt')
         wanted = 'int' if is_length else type_.base
         accepted = 'double' if wanted == 'int' and not is_length else wanted  # C++ converts numbers
+        if type_.is_array and function in FOR_SCALARS or not type_.is_array and function in FOR_ARRAYS:
+            other = f'element_{function}' if f'element_{function}' in VALIDATORS else function.replace('element_', '')
+            raise self.error(line, f'`{function}` of {shown} is not for the type {type_}',
+                             *([f'write `{other}<>`'] if other != function and other in VALIDATORS else []))
         for one in flat:
+            if is_length and is_of('int', one) and one < 0:
+                raise self.error(line, f'`{function}` of {shown} compares a length with {one}', 'write 0 or more')
+            if wanted == 'int' and isinstance(one, float) and not math.isfinite(one):
+                raise self.error(line, f'`{function}` of {shown} compares {one} with int', 'write a value of type int')
             if not is_of(accepted, one):
                 raise self.error(line, f'`{function}` of {shown} compares {type_of(Value(one, line))} with {wanted}',
                                  f'write a value of type {wanted}')
@@ -375,16 +407,22 @@ class FileReader:
 
 def is_of(base: str, content: Any) -> bool:
     if base == 'double':
-        return isinstance(content, (int, float)) and not isinstance(content, bool)
+        return isinstance(content, float) or is_number(content) and abs(content) <= sys.float_info.max
     if base == 'int':
-        return isinstance(content, int) and not isinstance(content, bool) and -LONGEST <= content < LONGEST
+        return is_number(content) and -LONGEST <= content < LONGEST
     return isinstance(content, SCALARS[base])
+
+
+def is_number(content: Any) -> bool:
+    return isinstance(content, int) and not isinstance(content, bool)
 
 
 def type_of(value: Value) -> str:
     content = value.content
     if isinstance(content, list):
         return f'{type_of(content[0])}_array' if content and not isinstance(content[0].content, list) else 'a list'
+    if is_number(content) and not is_of('int', content):
+        return 'an integer of more than 64 bits'
     for base, python in (('bool', bool), ('int', int), ('double', float), ('string', str)):
         if isinstance(content, python):
             return base

@@ -8,12 +8,9 @@ from collections.abc import Sequence
 from generate_parameter_library_py.generate_python_module import run
 
 
-def build_folder(arguments: Sequence[str]) -> str:
-    """The argument of `--build-base`, which colcon gives; empty: the package is not being installed."""
-    for option, value in zip(arguments, arguments[1:]):
-        if option in ('--build-base', '--build-directory'):
-            return value
-    return ''
+def option(arguments: Sequence[str], *names: str) -> str:
+    """The value behind one of these options; empty when none is there."""
+    return next((value for name, value in zip(arguments, arguments[1:]) if name in names), '')
 
 
 def generate_parameter_module(
@@ -23,17 +20,14 @@ def generate_parameter_module(
     """
     Make PACKAGE.module_name where the package is built, and where it is installed.
 
-    `validation_module` has the user's functions. `install_base`: the install folder of the workspace, which is beside
-    its build folder when nothing else is given.
+    `validation_module` has the user's functions. `install_base` and `merge_install` say how other tools lay out a
+    workspace; here `--prefix` says where the package is installed.
     """
-    build = os.path.dirname(build_folder(sys.argv))  # WORKSPACE/build/PACKAGE
-    if not build:
+    build = os.path.dirname(option(sys.argv, '--build-base', '--build-directory'))  # WORKSPACE/build/PACKAGE
+    prefix = option(sys.argv, '--prefix')
+    if not build or not prefix:  # the package is not being installed
         return
     package = os.path.basename(build)
-    workspace = os.path.dirname(os.path.dirname(build))
-    prefix = install_base or os.path.join(workspace, 'install')
-    if not merge_install:
-        prefix = os.path.join(prefix, package)
     version = f'python{sys.version_info.major}.{sys.version_info.minor}'
     for folder in (os.path.join(build, package), os.path.join(prefix, 'lib', version, 'site-packages', package)):
         run(os.path.join(folder, f'{module_name}.py'), yaml_file, validation_module)

@@ -420,6 +420,8 @@ int main(int argc, char** argv) {
   set(amcl, {"robot_model_type", std::string("flying")});
   set(amcl, {"max_particles", 400});
   set(amcl, {"resample_interval", 0});
+  set(amcl, {"max_particles", int64_t{1} << 33});
+  set(amcl, {"max_particles", 1'000'001});
   set(amcl, {"alpha1", -1.0});
   set(amcl, {"max_particles", 600});
   robot.look();
@@ -542,6 +544,8 @@ for (const link of played('port', 'shared')) {
       'set robot_model_type: 0 robot_model_type is not a declared motion model: flying',
       "set max_particles: 0 You've set min_particles to be greater than max particles, this isn't allowed.",
       'set resample_interval: 0 resample_interval is not positive',
+      'set max_particles: 0 max_particles is greater than 1000000',
+      'set max_particles: 0 max_particles is greater than 1000000',
       'set alpha1: 1 ',
       'set max_particles: 1 ',
       'at most 600 particles: 1',

@@ -305,6 +305,8 @@ void places() {
   say("fromLLArray %zu %.2f", both.map_points.size(), both.map_points[1].y - both.map_points[0].y);
   const auto back = call<ToLL>("toLL", [&origin](auto& request) { request.map_point = origin; });
   say("toLL %.7f %.7f %.3f", back.ll_point.latitude, back.ll_point.longitude, back.ll_point.altitude);
+  const auto off = call<ToLL>("toLL", [](auto& request) { request.map_point.x = 10.0; request.map_point.y = 5.0; });
+  say("off toLL %.7f %.7f", off.ll_point.latitude, off.ll_point.longitude);
 }
 
 /// A datum of the user, south of where the robot began, and a zone next to its own.
@@ -457,6 +459,10 @@ function near(actual: readonly number[], expected: readonly number[], tolerance:
   }
 }
 
+/** Metres of a degree at latitude 55.9 (WGS 84). */
+const northDegree = 111_340;
+const eastDegree = 62_553;
+
 for (const link of played('shared', 'port')) {
   let output = '';
   test(`${link}: filters know where a robot is, whose odometry does not`, { timeout: 400_000 }, async () => {
@@ -475,7 +481,7 @@ for (const link of played('shared', 'port')) {
     }
     // The last position is up to 0.2 s old; the first orientation has noise, by which the frames are turned.
     near(numbers(output, 'gps').slice(0, 2), [east, 0], 0.3, 'gps');
-    near(numbers(output, 'back to the globe').slice(0, 1), [55.9], 2e-6, 'gps/filtered');
+    near(numbers(output, 'back to the globe'), [55.9, -0.5 + east / eastDegree], 5e-6, 'gps/filtered');
     near(numbers(output, 'rates'), [900, 900], 20, 'rates');
     assert.match(output, /frames odom base_link map/);
     const [x = NaN, y = NaN] = numbers(output, 'local');
@@ -487,6 +493,7 @@ for (const link of played('shared', 'port')) {
     near(numbers(output, 'fromLL'), [0, 0, 0.5], 0.03, 'fromLL');
     near(numbers(output, 'fromLLArray'), [2, 11.13], 0.05, 'fromLLArray');
     near(numbers(output, 'toLL'), [55.9, -0.5, 40], 1e-6, 'toLL');
+    near(numbers(output, 'off toLL'), [55.9 + 5 / northDegree, -0.5 + 10 / eastDegree], 6e-6, 'toLL off the origin');
   });
   test(`${link}: services move, stop and reset a filter`, () => {
     // 0.4 s and 0.5 s at 0.5 m/s.

@@ -39,10 +39,12 @@ class RefusalsTest(GeneratorTest):
 
     def test_values_that_cannot_be_read(self) -> None:
         for text in ('!!bool maybe', '!!int ""', '!!timestamp foo', '!!float x'):
-            self.assertIn(f'cannot be read as {text[2:].split()[0]}', self.refused_parameter(f'type: int, default_value: {text}'))
+            self.assertIn(f'cannot be read as {text[2:].split()[0]}',
+                          self.refused_parameter(f'type: int, default_value: {text}'))
         self.assertIn('half of a surrogate pair', self.refused_parameter(r'type: string, default_value: "\ud800"'))
         self.assertIn('half of a surrogate pair', self.refused_parameter(r'type: string, description: "\ud800"'))
-        self.assertIn('more than 400 characters', self.refused_parameter('type: int, default_value: ' + '1:' * 300 + '1'))
+        self.assertIn('more than 400 characters',
+                      self.refused_parameter('type: int, default_value: ' + '1:' * 300 + '1'))
         self.assertIn('got: an integer of more than 64 bits',
                       self.refused_parameter('type: double, default_value: 1' + '0' * 350))
         self.assertIn('= 1e+50;', self.parameter('type: double, default_value: 1' + '0' * 50))
@@ -100,7 +102,8 @@ class RefusalsTest(GeneratorTest):
         self.assertIn('write `1.0e-5`', self.refused_parameter('type: double, default_value: 1e-5'))
         self.assertIn('the default of x has 4 bytes, and `string_fixed_3` holds 3',
                       self.refused_parameter('type: string_fixed_3, default_value: abcd'))
-        self.assertIn('has 2 elements, and `int_array_fixed_1` holds 1', self.refused_parameter('type: int_array_fixed_1, default_value: [1, 2]'))
+        self.assertIn('has 2 elements, and `int_array_fixed_1` holds 1',
+                      self.refused_parameter('type: int_array_fixed_1, default_value: [1, 2]'))
 
     def validation(self, type_: str, text: str) -> str:
         return self.refused_parameter(f'type: {type_}, validation: {text}')

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -150,9 +152,26 @@ TEST(LocalizationEstimator, BoundsItsMemory) {
   for (size_t i = 0; i < Estimator::kMostEntries; ++i) {
     EXPECT_TRUE(estimator.add(speed_at(int64_t{1} << 60, 1.0, 0.0)));
   }
+  // The one that is furthest ahead is dropped, so that a clock that is wrong stops no others.
   EXPECT_FALSE(estimator.add(speed_at(1, 1.0, 0.0)));
+  estimator.integrate(2);
+  EXPECT_EQ(estimator.state().time_ns, 1);
+  EXPECT_EQ(estimator.state().mean(kVx), 1.0);
+  EXPECT_TRUE(estimator.add(speed_at(3, 1.0, 0.0)));
+  EXPECT_FALSE(estimator.add(speed_at(4, 1.0, 0.0)));
   estimator.clear();
   EXPECT_TRUE(estimator.add(speed_at(1, 1.0, 0.0)));
+}
+
+TEST(LocalizationEstimator, PredictsWhileMeasurementsOfTheFutureWait) {
+  Estimator estimator(std::make_unique<Ekf>());
+  estimator.set_settings({.sensor_timeout_ns = 100 * kMillisecond});
+  estimator.add(speed_at(10 * kMillisecond, 2.0, 0.0));
+  estimator.add(speed_at(int64_t{1} << 60, 2.0, 0.0));
+  estimator.integrate(10 * kMillisecond);
+  estimator.integrate(510 * kMillisecond);
+  EXPECT_EQ(estimator.state().time_ns, 510 * kMillisecond);
+  EXPECT_NEAR(estimator.state().mean(kX), 1.0, 1e-9);
 }
 
 Eigen::Isometry3d pose_of(double x, double y, double yaw) {
@@ -309,13 +328,56 @@ TEST(LocalizationReadings, LeavesOutWhatIsNotFinite) {
   pose.is_relative = true;
   pose.pose.linear().setConstant(nan);
   Measurement first = with({kX, kYaw});
-  source.take(pose, {}, first);
-  EXPECT_FALSE(first.update[kYaw]);
+  EXPECT_FALSE(source.take(pose, {}, first));
   pose.pose = pose_of(1.0, 0.0, 0.2);
   Measurement second = with({kX, kYaw});
   ASSERT_TRUE(source.take(pose, {}, second));
-  EXPECT_NEAR(second.values(kX), 1.0, 1e-12);
-  EXPECT_NEAR(second.values(kYaw), 0.2, 1e-12);
+  EXPECT_LT(second.values.norm(), 1e-12);
+  pose.pose = pose_of(1.0, 0.0, 0.5);
+  Measurement third = with({kX, kYaw});
+  ASSERT_TRUE(source.take(pose, {}, third));
+  EXPECT_NEAR(third.values(kX), 0.0, 1e-12);
+  EXPECT_NEAR(third.values(kYaw), 0.3, 1e-12);
+}
+
+TEST(LocalizationReadings, SkipsTheAnglesOfARotationThatIsNotFinite) {
+  PoseReading pose;
+  pose.pose = pose_of(1.0, 2.0, 0.0);
+  pose.pose.linear().setConstant(std::nan(""));
+  Measurement measurement = with({kX, kY, kRoll, kPitch, kYaw});
+  PoseSource source;
+  ASSERT_TRUE(source.take(pose, {}, measurement));
+  EXPECT_EQ(measurement.update, with({kX, kY}).update);
+  EXPECT_EQ(measurement.values(kY), 2.0);
+}
+
+TEST(LocalizationReadings, TakesNoDifferenceFromAPoseWithAGap) {
+  // A camera that loses track for one message; the variance may say so, too.
+  for (const bool by_variance : {false, true}) {
+    PoseSource source;
+    PoseReading reading;
+    reading.is_differential = true;
+    const auto take = [&](double x, double yaw, int64_t time_ms) -> std::optional<Measurement> {
+      reading.pose = pose_of(std::isfinite(x) || !by_variance ? x : 10.0, 0.0, yaw);
+      reading.covariance.diagonal().setConstant(0.5);
+      if (by_variance && !std::isfinite(x)) {
+        reading.covariance(0, 0) = std::numeric_limits<double>::infinity();
+      }
+      Measurement result = with({kX, kY, kYaw}, time_ms * kMillisecond);
+      return source.take(reading, {}, result) ? std::optional(result) : std::nullopt;
+    };
+    EXPECT_FALSE(take(10.0, 0.0, 0));
+    for (const auto& [x, time_ms] : {std::pair{std::nan(""), 100}, std::pair{10.02, 200}}) {
+      const auto measurement = take(x, 0.01 * time_ms / 100, time_ms);
+      ASSERT_TRUE(measurement);
+      EXPECT_EQ(measurement->update, with({kVyaw}).update);
+      EXPECT_NEAR(measurement->values(kVyaw), 0.1, 1e-9);
+    }
+    const auto measurement = take(10.04, 0.03, 300);
+    ASSERT_TRUE(measurement);
+    EXPECT_EQ(measurement->update, with({kVx, kVy, kVyaw}).update);
+    EXPECT_NEAR(measurement->values(kVx), 0.2, 1e-3);
+  }
 }
 
 TEST(LocalizationReadings, PlacesTheWorldOnTheGlobe) {

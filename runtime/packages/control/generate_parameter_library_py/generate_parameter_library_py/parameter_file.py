@@ -187,9 +187,10 @@ class FileReader:
         self._warn_of_repeated(mapping)
         for key, value in mapping.members.items():
             at = mapping.lines[key]
-            if self._language == 'cpp' and key.startswith(MAP) and f'{key.removeprefix(MAP)}_map' in mapping.members:
-                raise self.error(at, f'the member for `{key}` in C++ has the name of `{key.removeprefix(MAP)}_map` beside it',
-                                 f'give `{key.removeprefix(MAP)}_map` another name')
+            beside = f'{key.removeprefix(MAP)}_map'
+            if self._language == 'cpp' and key.startswith(MAP) and beside in mapping.members:
+                raise self.error(at, f'the member for `{key}` in C++ has the name of `{beside}` beside it',
+                                 f'give `{beside}` another name')
             if not isinstance(value.content, Mapping):
                 self.warn(at, f'`{key}` is neither a parameter nor a group, and is passed over')
                 continue
@@ -303,8 +304,9 @@ class FileReader:
         length = len(converted) if type_.is_array else len(str(converted[0]).encode())
         if type_.capacity and length > type_.capacity:
             unit = 'elements' if type_.is_array else 'bytes'
-            raise self.error(value.line, f'the default of {shown} has {length} {unit}, and `{type_}` holds '
-                             f'{type_.capacity}', f'make it shorter, or the type `{dataclasses.replace(type_, capacity=length)}`')
+            raise self.error(
+                value.line, f'the default of {shown} has {length} {unit}, and `{type_}` holds {type_.capacity}',
+                f'make it shorter, or the type `{dataclasses.replace(type_, capacity=length)}`')
         return converted if type_.is_array else converted[0]
 
     def _way_out(self, type_: Type, is_list: bool, text: str) -> list[str]:

@@ -101,7 +101,7 @@ void AmclNode::handleInitialPose(const PoseWithCovariance& msg) {
             .transform,
         driven);
   } catch (const tf2::TransformException& error) {
-    // Before the first odometry the robot counts as not moved, and a warning would alarm for nothing.
+    // Before the first odometry the robot counts as not moved. That is normal at the start.
     if (sent_first_transform_) {
       RCLCPP_WARN(get_logger(), "Failed to transform initial pose in time (%s)", error.what());
     }

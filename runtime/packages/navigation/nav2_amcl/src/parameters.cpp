@@ -1,6 +1,9 @@
 // See amcl_node.hpp. Parameters: declared, read and changed by the table of parameter_table.hpp.
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "nav2_amcl/amcl_node.hpp"
@@ -18,6 +21,24 @@ void for_each_table(Visit visit) {
   visit(string_parameters());
 }
 
+/// More would not fit into the memory of a page, and one update would take seconds.
+constexpr int kMostParticles = 1'000'000;
+
+/// A whole number of ROS has 64 bits.
+int narrowed(int64_t value) {
+  return static_cast<int>(
+      std::clamp<int64_t>(value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+}
+
+template <typename T>
+T value_of(const rclcpp::Parameter& parameter) {
+  if constexpr (std::is_same_v<T, int>) {
+    return narrowed(parameter.as_int());
+  } else {
+    return parameter.get_value<T>();
+  }
+}
+
 /// Takes over the value of a parameter that may change at any time.
 template <typename T>
 void change(const std::vector<ParameterRow<T>>& rows, const rclcpp::Parameter& parameter,
@@ -25,7 +46,7 @@ void change(const std::vector<ParameterRow<T>>& rows, const rclcpp::Parameter& p
   for (const ParameterRow<T>& row : rows) {
     if (parameter.get_name() != row.name || !row.is_dynamic) continue;
     // A value of another type never arrives here: the type of a declared parameter is fixed.
-    row.place(parameters) = parameter.get_value<T>();
+    row.place(parameters) = value_of<T>(parameter);
     if (row.renews != nullptr) renewal.*row.renews = true;
   }
 }
@@ -49,7 +70,10 @@ void AmclNode::declareParameters() {
 
 void AmclNode::initParameters() {
   for_each_table([this](const auto& rows) {
-    for (const auto& row : rows) get_parameter(row.name, row.place(parameters_));
+    for (const auto& row : rows) {
+      auto& place = row.place(parameters_);
+      place = value_of<std::decay_t<decltype(place)>>(get_parameter(row.name));
+    }
   });
   strip_slashes(parameters_);
   last_reminder_ = now();
@@ -66,6 +90,12 @@ void AmclNode::initParameters() {
         "You've set max_particles to be negative, this isn't allowed so it will be set to default "
         "value 2000.");
     filter.max_particles = 2000;
+  }
+  if (filter.max_particles > kMostParticles) {
+    RCLCPP_WARN(get_logger(), "max_particles is greater than %d, and will be set to that.",
+                kMostParticles);
+    filter.max_particles = kMostParticles;
+    filter.min_particles = std::min(filter.min_particles, kMostParticles);
   }
   if (filter.min_particles < 0) {
     warn(
@@ -85,6 +115,7 @@ void AmclNode::initParameters() {
         "to default value to 1.");
     parameters_.resample_interval = 1;
   }
+  raiseNegativeAlphas(parameters_);
   if (parameters_.always_reset_initial_pose) initial_pose_is_known_ = false;
 }
 
@@ -107,6 +138,9 @@ void AmclNode::raiseNegativeAlphas(AmclParameters& parameters) {
 std::string AmclNode::refusal(const AmclParameters& parameters) {
   if (parameters.filter.min_particles > parameters.filter.max_particles) {
     return "You've set min_particles to be greater than max particles, this isn't allowed.";
+  }
+  if (parameters.filter.max_particles > kMostParticles) {
+    return "max_particles is greater than " + std::to_string(kMostParticles);
   }
   if (parameters.filter.min_particles < 0) return "min_particles is negative";
   if (parameters.resample_interval <= 0) return "resample_interval is not positive";

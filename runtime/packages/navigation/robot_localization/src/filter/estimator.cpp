@@ -1,15 +1,17 @@
 // See estimator.hpp.
 #include "filter/estimator.hpp"
 
+#include <iterator>
 #include <utility>
 
 namespace robot_localization {
 
 bool Estimator::add(Measurement measurement) {
-  if (queue_.size() >= kMostEntries) return false;
   const int64_t time_ns = measurement.time_ns;
   queue_.emplace(time_ns, std::move(measurement));
-  return true;
+  if (queue_.size() <= kMostEntries) return true;
+  queue_.erase(std::prev(queue_.end()));
+  return false;
 }
 
 void Estimator::clear() {
@@ -22,7 +24,7 @@ void Estimator::integrate(int64_t now_ns) {
   const Control newest = state().control;
   bool should_predict = settings_.predict_to_current_time;
   bool is_replay = false;
-  if (queue_.empty()) {
+  if (queue_.empty() || queue_.begin()->first > now_ns) {
     should_predict |= now_ns - state().time_ns >= settings_.sensor_timeout_ns;
   } else if (settings_.smooth_lagged_data && state().is_initialized &&
              queue_.begin()->first < state().time_ns) {

@@ -1,13 +1,11 @@
 // See readings.hpp.
 #include "filter/readings.hpp"
 
+#include <limits>
+#include <utility>
+
 namespace robot_localization {
 namespace {
-
-Eigen::Matrix3d turned_by_yaw(const Eigen::Matrix3d& rotation) {
-  const double yaw = roll_pitch_yaw(rotation).z();
-  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
 
 /// The variables that hold a part of the measured ones after a rotation, of three from `begin` on.
 void rotate_update(const Eigen::Matrix3d& rotation, int begin, Variables& update) {
@@ -86,15 +84,22 @@ void take_acceleration(const AccelerationReading& reading, const Turning& turnin
 bool PoseSource::take(const PoseReading& reading, const Turning& turning,
                       Measurement& measurement) {
   const Eigen::Matrix3d rotation = reading.is_imu
-                                       ? turned_by_yaw(reading.target_from_message.linear())
+                                       ? only_yaw(reading.target_from_message.linear())
                                        : Eigen::Matrix3d(reading.target_from_message.linear());
   Vector6 values;
   values << reading.pose.translation(), roll_pitch_yaw(reading.pose.linear());
-  Matrix6 covariance = reading.covariance;
-  leave_out_infinite(values, covariance, kX, measurement.update);
   Eigen::Isometry3d pose = reading.pose;
+  if (!pose.linear().allFinite()) {
+    // Its angles need not be NaN, too: those of std::asin are clamped.
+    values.tail<3>().setConstant(std::numeric_limits<double>::quiet_NaN());
+    pose.linear().setIdentity();
+  }
+  Matrix6 covariance = reading.covariance;
+  const Variables wanted = measurement.update & kPoseVariables;
+  Variables known = kPoseVariables;
+  leave_out_infinite(values, covariance, kX, known);
   pose.translation() = values.head<3>();
-  if (!pose.linear().allFinite()) pose.linear().setIdentity();
+  measurement.update &= known | ~kPoseVariables;
   rotate_update(rotation, kX, measurement.update);
   rotate_update(rotation, kRoll, measurement.update);
   if (reading.child_from_base) {
@@ -108,10 +113,13 @@ bool PoseSource::take(const PoseReading& reading, const Turning& turning,
     target_from_message.setIdentity();
   }
   if (reading.is_differential) {
-    return take_difference(reading, pose, covariance, turning, measurement);
+    return take_difference(reading, {pose, covariance, measurement.time_ns, known}, turning,
+                           measurement);
   }
   if (reading.child_from_base) pose = pose * *reading.child_from_base;
   if (reading.is_relative) {
+    // Every later pose counts from the first, which therefore has to be whole.
+    if (!first_ && (wanted & ~known).any()) return false;
     if (!first_) first_ = pose;
     pose = first_->inverse() * pose;
   }
@@ -122,18 +130,21 @@ bool PoseSource::take(const PoseReading& reading, const Turning& turning,
   return true;
 }
 
-bool PoseSource::take_difference(const PoseReading& reading, const Eigen::Isometry3d& pose,
-                                 const Matrix6& covariance, const Turning& turning,
-                                 Measurement& measurement) {
-  const std::optional<Previous> previous = previous_;
-  previous_ = Previous{pose, covariance, measurement.time_ns};
-  if (!previous || measurement.time_ns <= previous->time_ns) return false;
-  const double dt = static_cast<double>(measurement.time_ns - previous->time_ns) * 1e-9;
-  const Eigen::Isometry3d way = previous->pose.inverse() * pose;
+bool PoseSource::take_difference(const PoseReading& reading, const Timed& now,
+                                 const Turning& turning, Measurement& measurement) {
+  const std::optional<Timed> previous = std::exchange(previous_, now);
+  if (!previous || now.time_ns <= previous->time_ns) return false;
+  // A value that was unknown at one of both times is zero there, and no way leads from it. The
+  // rotation gives the way its direction.
+  const Variables changed = now.known ^ previous->known;
+  if ((changed & three_from(kRoll)).any()) return false;
+  if ((changed & three_from(kX)).any()) measurement.update &= ~three_from(kX);
+  const double dt = static_cast<double>(now.time_ns - previous->time_ns) * 1e-9;
+  const Eigen::Isometry3d way = previous->pose.inverse() * now.pose;
   TwistReading twist;
   twist.linear = way.translation() / dt;
   twist.angular = roll_pitch_yaw(way.linear()) / dt;
-  twist.covariance = (covariance + previous->covariance) * dt;
+  twist.covariance = (now.covariance + previous->covariance) * dt;
   if (reading.child_from_base) twist.base_from_sensor = reading.child_from_base->inverse();
   // The velocities are measured now, in place of the pose.
   measurement.update = (measurement.update & kPoseVariables) << kVx;

@@ -56,19 +56,22 @@ void take_acceleration(const AccelerationReading& reading, const Turning& turnin
 /// Poses of one topic, of which differences and the way from the first are taken.
 class PoseSource {
  public:
-  /// False when there is nothing to fuse yet: a difference needs two poses with different times.
+  /// False when there is nothing to fuse yet: a difference needs two poses with different times,
+  /// and a first pose needs every value that the configuration uses.
   bool take(const PoseReading& reading, const Turning& turning, Measurement& measurement);
 
  private:
-  bool take_difference(const PoseReading& reading, const Eigen::Isometry3d& pose,
-                       const Matrix6& covariance, const Turning& turning, Measurement& measurement);
-
-  struct Previous {
+  struct Timed {
     Eigen::Isometry3d pose;
     Matrix6 covariance;
     int64_t time_ns;
+    Variables known;  ///< those of the pose whose value and variance are finite
   };
-  std::optional<Previous> previous_;
+
+  bool take_difference(const PoseReading& reading, const Timed& now, const Turning& turning,
+                       Measurement& measurement);
+
+  std::optional<Timed> previous_;
   std::optional<Eigen::Isometry3d> first_;
 };
 

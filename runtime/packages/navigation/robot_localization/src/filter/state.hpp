@@ -66,6 +66,12 @@ inline Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
           std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
+/// The part of a rotation about the vertical.
+inline Eigen::Matrix3d only_yaw(const Eigen::Matrix3d& rotation) {
+  const double yaw = roll_pitch_yaw(rotation).z();
+  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
 inline Eigen::Quaterniond quaternion_of(double roll, double pitch, double yaw) {
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
          Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *

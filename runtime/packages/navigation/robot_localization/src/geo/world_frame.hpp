@@ -7,12 +7,6 @@
 
 namespace robot_localization {
 
-/// The part of a rotation about the vertical.
-inline Eigen::Matrix3d only_yaw(const Eigen::Matrix3d& rotation) {
-  const double yaw = roll_pitch_yaw(rotation).z();
-  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
 /// From one place of the robot, known in both frames, and its heading in the flat one [rad].
 inline Eigen::Isometry3d world_from_cartesian(const Eigen::Isometry3d& robot_in_world,
                                               const Eigen::Vector3d& robot_in_cartesian,

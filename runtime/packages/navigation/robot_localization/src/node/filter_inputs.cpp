@@ -1,5 +1,6 @@
 // See filter_node.hpp: messages become measurements.
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "node/filter_node.hpp"
@@ -110,6 +111,7 @@ void FilterNode::take_control(const geometry_msgs::msg::Twist& twist, const rclc
 /// Nothing when the message is older than one before it, or than the last set_pose.
 std::optional<Measurement> FilterNode::begin(Part& part,
                                              const builtin_interfaces::msg::Time& stamp) {
+  reset_after_jump();
   const int64_t time_ns = rclcpp::Time(stamp).nanoseconds();
   const auto ignore = [&](const std::string& before) {
     report_.warn(part.name + "_timestamp",
@@ -141,8 +143,8 @@ void FilterNode::enqueue(Measurement measurement) {
   const std::string source = measurement.source;
   if (estimator_.add(std::move(measurement))) return;
   RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000,
-                       "%s is ignored: %zu measurements wait for their time, which is in the "
-                       "future",
+                       "%s: %zu measurements wait for their time, which is in the future; the one "
+                       "that is furthest ahead is dropped",
                        source.c_str(), Estimator::kMostEntries);
 }
 
@@ -158,8 +160,10 @@ std::optional<Eigen::Isometry3d> FilterNode::find_frame(const std::string& part,
   return transform;
 }
 
-Eigen::Quaterniond FilterNode::checked_rotation(const Part& part,
-                                                const geometry_msgs::msg::Quaternion& message) {
+/// The identity for zeros, which some drivers send; NaN for what has no direction otherwise, which
+/// is skipped later like every value that is not finite.
+Eigen::Matrix3d FilterNode::checked_rotation(const Part& part,
+                                             const geometry_msgs::msg::Quaternion& message) {
   const auto rotation = rotation_of(message);
   const double length =
       std::hypot(std::hypot(message.x, message.y), std::hypot(message.z, message.w));
@@ -170,9 +174,12 @@ Eigen::Quaterniond FilterNode::checked_rotation(const Part& part,
     report_.warn(part.name + "_orientation",
                  "The " + part.name +
                      " message contains an invalid orientation quaternion, but its configuration "
-                     "is such that orientation data is being used. Correcting...");
+                     "is such that orientation data is being used. " +
+                     (length == 0.0 ? "Correcting..." : "Skipping it..."));
   }
-  return rotation.value_or(Eigen::Quaterniond::Identity());
+  if (rotation) return rotation->toRotationMatrix();
+  if (length == 0.0) return Eigen::Matrix3d::Identity();
+  return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 void FilterNode::on_odometry(Input& input, const nav_msgs::msg::Odometry& message) {
@@ -224,7 +231,7 @@ void FilterNode::on_pose(Input& input, Part& part, const PoseMessage& message,
   reading.is_differential = input.settings.is_differential;
   reading.is_relative = input.settings.is_relative;
   reading.pose.translation() = vector_of(message.pose.pose.position);
-  reading.pose.linear() = checked_rotation(part, message.pose.pose.orientation).toRotationMatrix();
+  reading.pose.linear() = checked_rotation(part, message.pose.pose.orientation);
   reading.covariance = Matrix6::Map(message.pose.covariance.data());
   // A difference is the same in every fixed frame.
   const bool needs_no_frame = reading.is_differential && !frames.is_imu;

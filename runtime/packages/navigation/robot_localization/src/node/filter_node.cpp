@@ -88,8 +88,13 @@ void FilterNode::create_outputs() {
     rcl_jump_threshold_t backward{};
     backward.min_backward.nanoseconds = -1;
     jump_handler_ = get_clock()->create_jump_callback(
-        nullptr, [this](const rcl_time_jump_t&) { reset(); }, backward);
+        nullptr, [this](const rcl_time_jump_t&) { has_time_jumped_ = true; }, backward);
   }
+}
+
+/// Not at once: time may jump while a message waits for its transform.
+void FilterNode::reset_after_jump() {
+  if (std::exchange(has_time_jumped_, false)) reset();
 }
 
 void FilterNode::reset() {

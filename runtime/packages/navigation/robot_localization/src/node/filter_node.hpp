@@ -80,12 +80,12 @@ class FilterNode : public rclcpp::Node {
                              const Eigen::Matrix3d& base_from_sensor) const;
   std::optional<Eigen::Isometry3d> find_frame(const std::string& part, const std::string& target,
                                               const std::string& source, const rclcpp::Time& time);
-  Eigen::Quaterniond checked_rotation(const Part& part,
-                                      const geometry_msgs::msg::Quaternion& message);
+  Eigen::Matrix3d checked_rotation(const Part& part, const geometry_msgs::msg::Quaternion& message);
 
   // Services (filter_node.cpp).
   void set_pose(const PoseMessage& message);
   void reset();
+  void reset_after_jump();
   void toggle(bool on, Toggle::Response& response);
   void enable();
 
@@ -128,6 +128,7 @@ class FilterNode : public rclcpp::Node {
   std::vector<rclcpp::ServiceBase::SharedPtr> services_;  ///< the others
   rclcpp::TimerBase::SharedPtr timer_;
   rclcpp::JumpHandler::SharedPtr jump_handler_;
+  bool has_time_jumped_ = false;  ///< back, since the last reset
 };
 
 }  // namespace robot_localization

@@ -30,6 +30,7 @@ rclcpp::Time FilterNode::filter_time() const {
 }
 
 void FilterNode::update() {
+  reset_after_jump();
   if (!is_enabled_) {
     RCLCPP_INFO_ONCE(get_logger(), "Filter is disabled. To enable it call the %s service",
                      enable_service_->get_service_name());

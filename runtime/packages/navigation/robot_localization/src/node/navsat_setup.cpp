@@ -85,31 +85,25 @@ void NavSatTransform::create_services() {
       }));
   services_.push_back(create_service<ToLL>(
       "toLL", [this](const ToLL::Request::SharedPtr request, ToLL::Response::SharedPtr response) {
-        if (const auto place = to_geo(vector_of(request->map_point))) {
-          copy_to(*place, response->ll_point);
-        }
+        answer_to_geo(request->map_point, response->ll_point);
       }));
   services_.push_back(create_service<FromLL>(
       "fromLL",
       [this](const FromLL::Request::SharedPtr request, FromLL::Response::SharedPtr response) {
-        if (const auto point = from_geo(geo_of(request->ll_point))) {
-          copy_to(*point, response->map_point);
-        }
+        answer_from_geo(request->ll_point, response->map_point);
       }));
   services_.push_back(create_service<ToLLArray>(
       "toLLArray",
       [this](const ToLLArray::Request::SharedPtr request, ToLLArray::Response::SharedPtr response) {
         for (const auto& point : request->map_points) {
-          auto& place = response->ll_points.emplace_back();
-          if (const auto found = to_geo(vector_of(point))) copy_to(*found, place);
+          answer_to_geo(point, response->ll_points.emplace_back());
         }
       }));
   services_.push_back(create_service<FromLLArray>(
       "fromLLArray", [this](const FromLLArray::Request::SharedPtr request,
                             FromLLArray::Response::SharedPtr response) {
         for (const auto& place : request->ll_points) {
-          auto& point = response->map_points.emplace_back();
-          if (const auto found = from_geo(geo_of(place))) copy_to(*found, point);
+          answer_from_geo(place, response->map_points.emplace_back());
         }
       }));
   services_.push_back(create_service<SetUTMZone>(
@@ -126,9 +120,39 @@ void NavSatTransform::subscribe() {
       options));
   subscriptions_.push_back(create_subscription<Fix>(
       "gps/fix", qos, [this](const Fix& message) { on_fix(message); }, options));
-  if (!uses_odometry_yaw_ && !datum_) {
-    imu_subscription_ = create_subscription<Imu>(
-        "imu", qos, [this](const Imu& message) { on_imu(message); }, options);
+  if (!datum_) subscribe_imu();
+}
+
+void NavSatTransform::subscribe_imu() {
+  if (uses_odometry_yaw_) return;
+  rclcpp::SubscriptionOptions options;
+  options.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
+  imu_subscription_ = create_subscription<Imu>(
+      "imu", rclcpp::SensorDataQoS(rclcpp::KeepLast(1)),
+      [this](const Imu& message) { on_imu(message); }, options);
+}
+
+void NavSatTransform::answer_to_geo(const geometry_msgs::msg::Point& point,
+                                    geographic_msgs::msg::GeoPoint& place) const {
+  if (const auto found = to_geo(vector_of(point))) {
+    copy_to(*found, place);
+  } else if (!world_from_cartesian_) {
+    RCLCPP_ERROR(get_logger(), "No transform available (yet)");
+  } else {
+    RCLCPP_ERROR(get_logger(), "The point (%g, %g, %g) is not a place on the globe", point.x,
+                 point.y, point.z);
+  }
+}
+
+void NavSatTransform::answer_from_geo(const geographic_msgs::msg::GeoPoint& place,
+                                      geometry_msgs::msg::Point& point) const {
+  if (const auto found = from_geo(geo_of(place))) {
+    copy_to(*found, point);
+  } else if (!world_from_cartesian_) {
+    RCLCPP_ERROR(get_logger(), "No transform available (yet)");
+  } else if (const auto point_or_error = cartesian_->from_geo(geo_of(place));
+             const auto* error = std::get_if<std::string>(&point_or_error)) {
+    RCLCPP_ERROR(get_logger(), "%s", error->c_str());
   }
 }
 
@@ -141,6 +165,9 @@ void NavSatTransform::set_zone(const std::string& name) {
   world_from_cartesian_.reset();
   first_position_.reset();
   position_.reset();
+  // The robot may have turned since the transform was computed.
+  orientation_.reset();
+  subscribe_imu();
   RCLCPP_INFO(get_logger(), "UTM zone set to %d %s", cartesian_->zone(),
               cartesian_->is_north() ? "north" : "south");
 }

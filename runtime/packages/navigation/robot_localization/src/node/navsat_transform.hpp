@@ -52,6 +52,7 @@ class NavSatTransform : public rclcpp::Node {
   void read_parameters();
   void create_services();
   void subscribe();
+  void subscribe_imu();
 
   void on_fix(const Fix& message);
   void on_imu(const Imu& message);
@@ -72,6 +73,11 @@ class NavSatTransform : public rclcpp::Node {
 
   std::optional<GeoPoint> to_geo(const Eigen::Vector3d& world_point) const;
   std::optional<Eigen::Vector3d> from_geo(const GeoPoint& place) const;
+  // For services: a place that cannot be converted is logged, and is zero in the answer.
+  void answer_to_geo(const geometry_msgs::msg::Point& point,
+                     geographic_msgs::msg::GeoPoint& place) const;
+  void answer_from_geo(const geographic_msgs::msg::GeoPoint& place,
+                       geometry_msgs::msg::Point& point) const;
   void set_zone(const std::string& name);
   double flattened(double z) const { return is_flat_ ? 0.0 : z; }
 

@@ -10,6 +10,7 @@ import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
+import { said } from '../support/room_robot.ts';
 
 const watchdog = { timeout: 500_000 };
 
@@ -498,12 +499,6 @@ install(DIRECTORY launch maps params DESTINATION share/\${PROJECT_NAME})
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());
-
-/** The lines that a node logs, without their heads. */
-function said(output: string, node: string): string[] {
-  const line = new RegExp(`\\[${node}\\]: (.*)$`);
-  return output.split('\n').flatMap((text) => line.exec(text.replace(/\x1b\[\d*m/g, ''))?.[1] ?? []); // eslint-disable-line no-control-regex
-}
 
 /** How far an estimate is off [m, rad], and how many particles it is of. */
 function errors(lines: readonly string[], name: string): { distance: number; angle: number; particles: number; } {

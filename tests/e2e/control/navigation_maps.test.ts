@@ -19,6 +19,7 @@ import { crc32, deflateSync } from 'node:zlib';
 
 import { played } from '../../support/nightly.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
+import { said } from '../support/room_robot.ts';
 
 const watchdog = { timeout: 500_000 };
 
@@ -349,12 +350,6 @@ install(DIRECTORY launch maps params DESTINATION share/\${PROJECT_NAME})
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());
-
-/** The lines that a node logs, without their heads. */
-function said(output: string, node: string): string[] {
-  const line = new RegExp(`\\[${node}\\]: (.*)$`);
-  return output.split('\n').flatMap((text) => line.exec(text.replace(/\x1b\[\d*m/g, ''))?.[1] ?? []); // eslint-disable-line no-control-regex
-}
 
 /** That all of these are in the list, in this order. */
 function inOrder(lines: readonly string[], wanted: readonly string[]): void {

@@ -11,3 +11,4 @@ endmacro()
 
 include("${pluginlib_DIR}/pluginlib_export_plugin_description_file.cmake")
 include("${pluginlib_DIR}/ros2wasm_link_plugins.cmake")
+include("${pluginlib_DIR}/ros2wasm_plugin_kits.cmake")

@@ -1,0 +1,21 @@
+# ros2wasm_plugin_kits(<package of the base class> [<library>...])
+# Writes how each library of plugins is linked into a program that loads them (its kit, see bundler/build/link_kit.hpp).
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
+function(ros2wasm_plugin_kits category)
+  set(kits "")
+  foreach(library IN LISTS ARGN)
+    # Not a program: what would be linked is written down.
+    set(kit "${category}__${library}__plugins")
+    set(none "${CMAKE_CURRENT_BINARY_DIR}/${kit}.o")
+    file(WRITE "${none}" "")
+    add_executable(${kit} "${none}")
+    set_target_properties(${kit} PROPERTIES LINKER_LANGUAGE CXX)
+    set_source_files_properties("${none}" PROPERTIES EXTERNAL_OBJECT TRUE)
+    target_link_options(${kit} PRIVATE "--ros2wasm-plugins-of=${category}")
+    target_link_libraries(${kit} PRIVATE ${library})
+    string(APPEND kits "${kit}\n")
+  endforeach()
+  if(DEFINED ENV{ROS2WASM_LINK_KITS})
+    file(WRITE "$ENV{ROS2WASM_LINK_KITS}/plugins/${category}/named" "${kits}")
+  endif()
+endfunction()

@@ -1,6 +1,8 @@
 // See costmap_topic_collision_checker.hpp.
 #include "nav2_costmap_2d/costmap_topic_collision_checker.hpp"
 
+#include <memory>
+#include <mutex>
 #include <utility>
 
 #include "nav2_costmap_2d/cost_values.hpp"
@@ -33,6 +35,7 @@ bool CostmapTopicCollisionChecker::isCollisionFree(const geometry_msgs::msg::Pos
 
 double CostmapTopicCollisionChecker::scorePose(const geometry_msgs::msg::Pose2D& pose,
                                                bool fetch_costmap_and_footprint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (fetch_costmap_and_footprint) {
     try {
       collision_checker_.setCostmap(costmap_sub_.getCostmap());
@@ -40,8 +43,12 @@ double CostmapTopicCollisionChecker::scorePose(const geometry_msgs::msg::Pose2D&
       throw CollisionCheckerException(error.what());
     }
   }
-  unsigned int cell_x;
-  unsigned int cell_y;
+  const std::shared_ptr<Costmap2D> costmap = collision_checker_.getCostmap();
+  if (!costmap) throw CollisionCheckerException("Costmap is not available");
+  // A message that arrives meanwhile may give the map another size.
+  const std::lock_guard<Costmap2D::mutex_t> cells_lock(*costmap->getMutex());
+  unsigned int cell_x = 0;
+  unsigned int cell_y = 0;
   if (!collision_checker_.worldToMap(pose.x, pose.y, cell_x, cell_y)) {
     RCLCPP_DEBUG(rclcpp::get_logger(name_), "Map Cell: [%d, %d]", cell_x, cell_y);
     throw IllegalPoseException(name_, "Pose Goes Off Grid.");

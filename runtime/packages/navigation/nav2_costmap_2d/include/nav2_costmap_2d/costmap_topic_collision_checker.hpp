@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ class CostmapTopicCollisionChecker {
   FootprintCollisionChecker<std::shared_ptr<Costmap2D>> collision_checker_;
   Footprint footprint_;
   std::string footprint_string_;
+
+ private:
+  std::mutex mutex_;  // of the above: behaviours share one checker, each in its thread
 };
 
 }  // namespace nav2_costmap_2d

@@ -141,6 +141,7 @@ BT_REGISTER_NODES(factory) {
 
 /** A navigator with an action of Nav2 that no other one has. */
 const navigator = `
+#include "ament_index_cpp/get_package_share_directory.hpp"
 #include "nav2_core/behavior_tree_navigator.hpp"
 #include "nav2_msgs/action/dummy_behavior.hpp"
 #include "pluginlib/class_list_macros.hpp"
@@ -483,7 +484,7 @@ after(() => workspace.close());
 
 for (const link of played('shared')) {
   test(`${link}: trees lead a robot to goals, and every node of them runs`, watchdog, async () => {
-    const run = await workspace.run(['run', 'site', '--link', link, '--for', '300s', '--until', 'driver is over']);
+    const run = await workspace.run(['run', 'site', '--link', link, '--for', '180s', '--until', 'driver is over']);
     const output = run.stdout + run.stderr;
     assert.equal(run.code, 0, output);
     const server = said(output, 'bt_navigator');

@@ -42,9 +42,8 @@ CallbackReturn BtNavigator::on_configure(const rclcpp_lifecycle::State& state) {
       shared_from_this(), 0.3, get_parameter("odom_topic").as_string());
 
   auto libraries = nav2_util::split(nav2::details::BT_BUILTIN_PLUGINS, ';');
-  for (const std::string& name : get_parameter("plugin_lib_names").as_string_array()) {
-    libraries.push_back(name);
-  }
+  const auto more = get_parameter("plugin_lib_names").as_string_array();
+  libraries.insert(libraries.end(), more.begin(), more.end());
   nav2_core::FeedbackUtils feedback;
   feedback.robot_frame = get_parameter("robot_base_frame").as_string();
   feedback.global_frame = get_parameter("global_frame").as_string();

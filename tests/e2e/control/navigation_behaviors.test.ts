@@ -157,12 +157,14 @@ const driver = `
 
 #include "geometry_msgs/msg/pose2_d.hpp"
 #include "geometry_msgs/msg/twist_stamped.hpp"
+#include "lifecycle_msgs/msg/transition.hpp"
 #include "nav2_lifecycle_manager/lifecycle_manager_client.hpp"
 #include "nav2_msgs/action/assisted_teleop.hpp"
 #include "nav2_msgs/action/back_up.hpp"
 #include "nav2_msgs/action/drive_on_heading.hpp"
 #include "nav2_msgs/action/spin.hpp"
 #include "nav2_msgs/action/wait.hpp"
+#include "nav2_util/lifecycle_service_client.hpp"
 #include "nav_msgs/msg/odometry.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
@@ -378,6 +380,21 @@ void pauses(Behavior<DriveOnHeading>& drive) {
   say("reset %d", manager.reset());
 }
 
+/// What cannot work is refused when the server is configured, and it can be configured once more.
+void configures() {
+  nav2_util::LifecycleServiceClient server("behavior_server", node);
+  const auto parameters = std::make_shared<rclcpp::AsyncParametersClient>(node, "behavior_server");
+  const auto configure = [&](const char* name, double value) {
+    wait(parameters->set_parameters({rclcpp::Parameter(name, value)}));
+    server.change_state(lifecycle_msgs::msg::Transition::TRANSITION_CONFIGURE, 10s);
+    say("%s %.1f: state %d", name, value, server.get_state());
+  };
+  configure("cycle_frequency", 0);
+  wait(parameters->set_parameters({rclcpp::Parameter("cycle_frequency", 20.0)}));
+  configure("simulation_time_step", 0);
+  configure("simulation_time_step", 0.2);
+}
+
 /// A server with the parameters that are the default, without costmaps, in a frame that nobody knows.
 void lost_server() {
   geometry_msgs::msg::TwistStamped last;
@@ -420,6 +437,7 @@ int main(int argc, char** argv) {
   own(wiggle);
   lost_server();
   pauses(drive);
+  configures();
   say("%s", "driver is over");
   rclcpp::shutdown();
 }
@@ -439,8 +457,8 @@ function said(output: string, node: string): string[] {
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  const libraries = ['geometry_msgs', 'nav2_behaviors', 'nav2_core', 'nav2_lifecycle_manager', 'nav2_msgs', 'nav2_util', 'nav_msgs', 'pluginlib', 'rclcpp',
-    'rclcpp_action', 'std_msgs', 'tf2_geometry_msgs', 'tf2_ros'];
+  const libraries = ['geometry_msgs', 'lifecycle_msgs', 'nav2_behaviors', 'nav2_core', 'nav2_lifecycle_manager', 'nav2_msgs', 'nav2_util', 'nav_msgs',
+    'pluginlib', 'rclcpp', 'rclcpp_action', 'std_msgs', 'tf2_geometry_msgs', 'tf2_ros'];
   workspace.addPackage('house_moves', { base: wheeledBase, driver }, {
     depends: [...libraries, 'nav2_common', 'nav2_controller'],
     cmake: `${[...libraries, 'nav2_common'].map((name) => `find_package(${name} REQUIRED)`).join('\n')}
@@ -449,7 +467,7 @@ add_library(house_moves_plugins SHARED src/plugin.cpp)
 ament_target_dependencies(house_moves_plugins nav2_behaviors nav2_core nav2_msgs nav2_util pluginlib rclcpp)
 pluginlib_export_plugin_description_file(nav2_core plugins.xml)
 ament_target_dependencies(base geometry_msgs nav2_util nav_msgs rclcpp tf2_ros)
-ament_target_dependencies(driver geometry_msgs nav2_lifecycle_manager nav2_msgs nav_msgs rclcpp rclcpp_action std_msgs tf2_geometry_msgs)
+ament_target_dependencies(driver geometry_msgs lifecycle_msgs nav2_lifecycle_manager nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action std_msgs tf2_geometry_msgs)
 install(TARGETS house_moves_plugins DESTINATION lib)
 install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
 `,
@@ -524,6 +542,9 @@ for (const link of played('shared')) {
       'resume 1',
       'drive_on_heading again: code 4 error 0',
       'reset 1',
+      'cycle_frequency 0.0: state 1',
+      'simulation_time_step 0.0: state 1',
+      'simulation_time_step 0.2: state 2',
       'driver is over',
     ], server.join('\n'));
     for (
@@ -533,7 +554,8 @@ for (const link of played('shared')) {
         'DrivingOnHeading in Y and Z not supported, will only move in X.', 'Speed and command sign did not match', 'Canceling drive_on_heading',
         'Received a preemption request for drive_on_heading, however feature is currently not implemented. Aborting and stopping.',
         'Exceeded time allowance before reaching the assisted_teleopgoal - Exiting assisted_teleop', 'A velocity that is not finite is ignored.',
-        'wiggled for 1 s, code 0', 'wiggled for 0 s, code 97', 'wiggle is cleaned up']
+        'wiggled for 1 s, code 0', 'wiggled for 0 s, code 97', 'wiggle is cleaned up', 'cycle_frequency must be greater than 0',
+        'Failed to configure behaviors. Exception: simulation_time_step must be greater than 0']
     ) assert.ok(server.includes(line), `behavior_server does not say: ${line}\n${output}`);
     const broken = said(output, 'spare.broken').find((line) => line.startsWith('Failed to create'));
     assert.match(broken ?? '', /^Failed to create behavior fly of type nobody::Fly\. Exception: .* does not exist\. Declared types are .*nav2_behaviors::Spin/);

@@ -51,8 +51,14 @@ CallbackReturn BehaviorServer::on_configure(const rclcpp_lifecycle::State& state
     on_cleanup(state);
     return CallbackReturn::FAILURE;
   }
-  setupResourcesForBehaviorPlugins();
-  configureBehaviorPlugins();
+  try {
+    setupResourcesForBehaviorPlugins();
+    configureBehaviorPlugins();
+  } catch (const std::exception& error) {
+    RCLCPP_FATAL(get_logger(), "Failed to configure behaviors. Exception: %s", error.what());
+    on_cleanup(state);
+    return CallbackReturn::FAILURE;
+  }
   return CallbackReturn::SUCCESS;
 }
 

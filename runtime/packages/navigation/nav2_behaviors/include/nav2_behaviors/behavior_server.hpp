@@ -51,7 +51,8 @@ class BehaviorServer : public nav2_util::LifecycleNode {
   std::shared_ptr<nav2_costmap_2d::CostmapTopicCollisionChecker> global_collision_checker_;
 
  private:
-  /// Makes the parts for checks against one costmap; `which` is `local` or `global`, as in the parameters.
+  /// Makes the parts for checks against one costmap; `which` is `local` or `global`, as in the
+  /// parameters.
   void subscribe(const std::string& which,
                  std::unique_ptr<nav2_costmap_2d::CostmapSubscriber>& costmap,
                  std::unique_ptr<nav2_costmap_2d::FootprintSubscriber>& footprint,

@@ -17,8 +17,24 @@
 
 namespace nav2_util {
 
+/// The log of an action server: lines with the name of the action. Compiled once for all actions.
+class ActionServerLog {
+ protected:
+  ActionServerLog(rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr node_logging_interface,
+                  const std::string& action_name)
+      : node_logging_interface_(std::move(node_logging_interface)), action_name_(action_name) {}
+
+  void info_msg(const char* msg) const;
+  void debug_msg(const char* msg) const;
+  void error_msg(const char* msg) const;
+  void warn_msg(const char* msg) const;
+
+  rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr node_logging_interface_;
+  std::string action_name_;
+};
+
 template <typename ActionT>
-class SimpleActionServer {
+class SimpleActionServer : protected ActionServerLog {
   using GoalHandle = rclcpp_action::ServerGoalHandle<ActionT>;
   using GoalPtr = std::shared_ptr<const typename ActionT::Goal>;
   using ResultPtr = std::shared_ptr<typename ActionT::Result>;
@@ -56,11 +72,10 @@ class SimpleActionServer {
       bool spin_thread = false,
       const rcl_action_server_options_t& options = rcl_action_server_get_default_options(),
       const bool realtime = false)
-      : node_base_interface_(node_base_interface),
+      : ActionServerLog(node_logging_interface, action_name),
+        node_base_interface_(node_base_interface),
         node_clock_interface_(node_clock_interface),
-        node_logging_interface_(node_logging_interface),
         node_waitables_interface_(node_waitables_interface),
-        action_name_(action_name),
         execute_callback_(std::move(execute_callback)),
         completion_callback_(std::move(completion_callback)),
         use_realtime_prioritization_(realtime),
@@ -346,28 +361,9 @@ class SimpleActionServer {
     handle.reset();
   }
 
-  void info_msg(const std::string& msg) const {
-    RCLCPP_INFO(node_logging_interface_->get_logger(), "[%s] [ActionServer] %s",
-                action_name_.c_str(), msg.c_str());
-  }
-  void debug_msg(const std::string& msg) const {
-    RCLCPP_DEBUG(node_logging_interface_->get_logger(), "[%s] [ActionServer] %s",
-                 action_name_.c_str(), msg.c_str());
-  }
-  void error_msg(const std::string& msg) const {
-    RCLCPP_ERROR(node_logging_interface_->get_logger(), "[%s] [ActionServer] %s",
-                 action_name_.c_str(), msg.c_str());
-  }
-  void warn_msg(const std::string& msg) const {
-    RCLCPP_WARN(node_logging_interface_->get_logger(), "[%s] [ActionServer] %s",
-                action_name_.c_str(), msg.c_str());
-  }
-
   rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_base_interface_;
   rclcpp::node_interfaces::NodeClockInterface::SharedPtr node_clock_interface_;
-  rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr node_logging_interface_;
   rclcpp::node_interfaces::NodeWaitablesInterface::SharedPtr node_waitables_interface_;
-  std::string action_name_;
   ExecuteCallback execute_callback_;
   CompletionCallback completion_callback_;
   std::future<void> execution_future_;

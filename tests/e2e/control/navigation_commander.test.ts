@@ -1,0 +1,594 @@
+// Python programs that send a robot somewhere: nav2_simple_commander with the servers of Nav2 and the loopback simulator, and with
+// action servers of the workspace that show what a goal asks for. Headless.
+
+// Compatibility, works: nav2_loopback_sim: a robot without physics with odometry, transforms, a lidar that sees the map, and a clock
+
+// Compatibility, works: nav2_simple_commander: BasicNavigator with all calls of upstream, TaskResult, PyCostmap2D,
+// FootprintCollisionChecker, LineIterator
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+
+import { played } from '../../support/nightly.ts';
+import { PackWorkspace } from '../support/pack_workspace.ts';
+
+const watchdog = { timeout: 500_000 };
+
+const head = `
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+`;
+
+const driveLaunch = `${head}
+
+def generate_launch_description():
+    share = get_package_share_directory('postman')
+    params = os.path.join(share, 'params', 'nav2_params.yaml')
+    return LaunchDescription([
+        Node(package='nav2_map_server', executable='map_server', parameters=[{'yaml_filename': os.path.join(share, 'maps', 'room.yaml')}]),
+        Node(package='nav2_controller', executable='controller_server', parameters=[params]),
+        Node(package='nav2_planner', executable='planner_server', name='planner_server', parameters=[params]),
+        Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation',
+             parameters=[{'autostart': True, 'node_names': ['map_server', 'controller_server', 'planner_server']}]),
+        Node(package='tf2_ros', executable='static_transform_publisher',
+             arguments=['--x', '0.12', '--z', '0.2', '--frame-id', 'base_link', '--child-frame-id', 'base_scan']),
+        Node(package='nav2_loopback_sim', executable='loopback_simulator', parameters=[params]),
+        Node(package='postman', executable='drive'),
+    ])
+`;
+
+const callsLaunch = `${head}
+
+def generate_launch_description():
+    share = get_package_share_directory('postman')
+    return LaunchDescription([
+        Node(package='nav2_map_server', executable='map_server', parameters=[{'yaml_filename': os.path.join(share, 'maps', 'room.yaml')}]),
+        Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_localization',
+             parameters=[{'autostart': True, 'node_names': ['map_server']}]),
+        Node(package='postman', executable='servers'),
+        Node(package='postman', executable='calls'),
+    ])
+`;
+
+const costmap = (name: string, frame: string, more: string): string => `
+${name}:
+  ${name}:
+    ros__parameters:
+      update_frequency: 10.0
+      publish_frequency: 5.0
+      global_frame: ${frame}
+      robot_base_frame: base_link
+      robot_radius: 0.15
+      resolution: 0.05
+${more}
+      static_layer:
+        plugin: "nav2_costmap_2d::StaticLayer"
+        map_topic: /map
+      inflation_layer:
+        plugin: "nav2_costmap_2d::InflationLayer"
+        cost_scaling_factor: 5.0
+        inflation_radius: 0.4
+`;
+
+const parameters = `
+loopback_simulator:
+  ros__parameters:
+    base_frame_id: "base_link"
+    odom_frame_id: "odom"
+    map_frame_id: "map"
+    scan_frame_id: "base_scan"
+    update_duration: 0.02
+controller_server:
+  ros__parameters:
+    goal_checker_plugins: ["general_goal_checker"]
+    controller_plugins: ["FollowPath"]
+    general_goal_checker:
+      plugin: "nav2_controller::SimpleGoalChecker"
+      xy_goal_tolerance: 0.1
+      yaw_goal_tolerance: 0.2
+    FollowPath:
+      plugin: "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
+      desired_linear_vel: 0.5
+      lookahead_dist: 0.4
+      use_cost_regulated_linear_velocity_scaling: false
+planner_server:
+  ros__parameters:
+    planner_plugins: ["GridBased"]
+    GridBased:
+      plugin: "nav2_navfn_planner::NavfnPlanner"
+${costmap('global_costmap', 'map', '      plugins: ["static_layer", "inflation_layer"]')}
+${costmap('local_costmap', 'odom', '      rolling_window: true\n      width: 3\n      height: 3\n      plugins: ["static_layer", "inflation_layer"]')}
+`;
+
+const drive = `
+import math
+
+from geometry_msgs.msg import Point32, Polygon, PoseStamped
+from nav2_simple_commander.costmap_2d import PyCostmap2D
+from nav2_simple_commander.footprint_collision_checker import FootprintCollisionChecker
+from nav2_simple_commander.robot_navigator import BasicNavigator, TaskResult
+from nav_msgs.msg import OccupancyGrid, Odometry
+import rclpy
+from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import LaserScan
+from tf2_ros import Buffer, TransformListener
+
+
+def pose(navigator, x, y, yaw=0.0):
+    result = PoseStamped()
+    result.header.frame_id = 'map'
+    result.header.stamp = navigator.get_clock().now().to_msg()
+    result.pose.position.x = x
+    result.pose.position.y = y
+    result.pose.orientation.z = math.sin(yaw / 2)
+    result.pose.orientation.w = math.cos(yaw / 2)
+    return result
+
+
+def main():
+    rclpy.init()
+    navigator = BasicNavigator()
+    say = navigator.info
+    heard = {}
+
+    def hear(name, kind, topic, qos=10):
+        heard[name] = []
+        navigator.create_subscription(kind, topic, heard[name].append, qos)
+
+    hear('scan', LaserScan, 'scan', qos_profile_sensor_data)
+    hear('odom', Odometry, 'odom')
+    hear('clock', Clock, '/clock')
+    hear('map', OccupancyGrid, 'map', QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+    buffer = Buffer()
+    listener = TransformListener(buffer, navigator)
+
+    def wait(seconds):
+        end = navigator.get_clock().now().nanoseconds + seconds * 1e9
+        while navigator.get_clock().now().nanoseconds < end:
+            rclpy.spin_once(navigator, timeout_sec=0.05)
+
+    def place():
+        found = buffer.lookup_transform('map', 'base_link', rclpy.time.Time()).transform
+        return found.translation.x, found.translation.y
+
+    while navigator.initial_pose_pub.get_subscription_count() == 0:
+        wait(0.1)
+    navigator.setInitialPose(pose(navigator, -1.98, -1.98))
+    navigator.waitUntilNav2Active(navigator='planner_server', localizer='map_server')
+    wait(1.0)
+    say('at %.2f %.2f' % place())
+    scan = heard['scan'][-1]
+    ahead = round(-scan.angle_min / scan.angle_increment)
+    left = round((math.pi / 2 - scan.angle_min) / scan.angle_increment)
+    say(f'rays {len(scan.ranges)}, ahead {scan.ranges[ahead]:.2f}, left {scan.ranges[left]:.2f}, behind {scan.ranges[0]}, in {scan.header.frame_id}')
+    clock = heard['clock']
+    wait(1.0)
+    say(f'clock {9 <= sum(1 for one in clock if one.clock.sec == clock[-1].clock.sec - 1) <= 11}, odometry while it stands {len(heard["odom"])}')
+
+    path = navigator.getPath(pose(navigator, 0.0, 0.0), pose(navigator, 2.0, -2.0, 1.57), 'GridBased')
+    length = sum(math.dist((a.pose.position.x, a.pose.position.y), (b.pose.position.x, b.pose.position.y))
+                 for a, b in zip(path.poses, path.poses[1:]))
+    say(f'path of {length:.1f} m, result {navigator.getResult()}')
+    navigator.followPath(path)
+    distances = []
+    while not navigator.isTaskComplete():
+        if navigator.getFeedback():
+            distances.append(navigator.getFeedback().distance_to_goal)
+    say(f'followed: {navigator.getResult()}, feedback from {distances[0]:.1f} to less than a metre {distances[-1] < 1}')
+    x, y = place()
+    odometry = heard['odom'][-1]
+    say(f'at the goal {math.dist((x, y), (2.0, -2.0)) < 0.15}, odometry {odometry.header.frame_id} {odometry.child_frame_id} '
+        f'{math.dist((odometry.pose.pose.position.x - 1.98, odometry.pose.pose.position.y - 1.98), (x, y)) < 0.1}')
+
+    through = navigator.getPathThroughPoses(pose(navigator, 2.0, -2.0), [pose(navigator, 2.0, 0.0), pose(navigator, 1.0, 1.0)], use_start=True)
+    say(f'through poses {len(through.poses) > 50}')
+    say(f'no path {navigator.getPath(pose(navigator, 0.0, 0.0), pose(navigator, 9.0, 9.0))} {navigator.status}')
+    navigator.followPath(through, 'FollowPath', 'general_goal_checker')
+    wait(1.0)
+    navigator.cancelTask()
+    while not navigator.isTaskComplete():
+        pass
+    say(f'cancelled: {navigator.getResult()}')
+    navigator.followPath(through, 'Nobody')
+    while not navigator.isTaskComplete():
+        pass
+    say(f'unknown controller: {navigator.getResult()} {navigator.result_future.result().result.error_code}')
+    wait(1.5)
+    before = place()
+    navigator.setInitialPose(pose(navigator, -2.0, 2.0, math.pi / 2))
+    wait(0.5)
+    say('moved by hand from %d to %.2f %.2f' % (before[0] > 0, *place()))
+
+    navigator.clearAllCostmaps()
+    costs = navigator.getGlobalCostmap()
+    say(f'costs {costs.metadata.size_x} x {costs.metadata.size_y} at {costs.metadata.resolution:.2f}, local {navigator.getLocalCostmap().metadata.size_x}')
+    navigator.changeMap('/nowhere/nothing.yaml')
+
+    grid = PyCostmap2D(heard['map'][-1])
+    say(f'map {grid.getSizeInCellsX()} {grid.getSizeInCellsY()} {grid.getResolution():.2f} {grid.getGlobalFrameID()} {grid.getOriginX()} {grid.getOriginY()}')
+    say(f'cells {grid.getCostXY(50, 10)} {grid.getCostXY(20, 10)} {grid.worldToMapValidated(0.01, -1.98)} {grid.worldToMapValidated(3.0, 0.0)}')
+    say('middle %.3f %.3f, size %.3f' % (*grid.mapToWorld(50, 10), grid.getSizeInMetersX()))
+    unknown = OccupancyGrid(data=[-1, 0, 100, 7])
+    unknown.info.width = unknown.info.height = 2
+    unknown.info.resolution = 1.0
+    small = PyCostmap2D(unknown)
+    small.setCost(1, 0, 254)
+    say(f'unknown {small.getCostIdx(0)}, set {small.getCostXY(1, 0)}, of {small.costmap.dtype}')
+    checker = FootprintCollisionChecker()
+    try:
+        checker.pointCost(0, 0)
+    except ValueError as error:
+        say(str(error))
+    checker.setCostmap(grid)
+    square = Polygon(points=[Point32(x=x, y=y) for x, y in ((0.2, 0.2), (-0.2, 0.2), (-0.2, -0.2), (0.2, -0.2))])
+    dot = Polygon(points=[Point32(x=0.01, y=0.0), Point32(x=0.0, y=0.01)])
+    say(f'footprint free {checker.footprintCostAtPose(-1.0, 0.0, 0.5, square)}, on the wall {checker.footprintCostAtPose(0.1, 0.0, 0.5, square)}, '
+        f'outside {checker.footprintCostAtPose(2.4, 0.0, 0.0, square)}, in a cell {checker.footprintCostAtPose(-1.03, 0.02, 0.0, dot)}')
+    navigator.lifecycleShutdown()
+    say('drive is over')
+    navigator.destroyNode()
+    rclpy.shutdown()
+`;
+
+const servers = `
+from nav2_msgs.action import (
+    AssistedTeleop, BackUp, ComputePathToPose, DockRobot, DriveOnHeading, FollowGPSWaypoints, FollowWaypoints, NavigateThroughPoses,
+    NavigateToPose, SmoothPath, Spin, UndockRobot,
+)
+from nav2_msgs.srv import ClearCostmapAroundPose, ClearCostmapAroundRobot, ClearCostmapExceptRegion
+import rclpy
+from rclpy.action import ActionServer, CancelResponse, GoalResponse
+from rclpy.node import Node
+from rclpy.task import Future
+from std_srvs.srv import SetBool
+
+
+class Servers(Node):
+    def __init__(self):
+        super().__init__('servers')
+        self.refuses = False
+        self.cancelled = Future()
+        self.create_service(SetBool, 'refuse', self.refuse)
+        self.cleared = [
+            self.create_service(kind, f'local_costmap/clear_costmap_{name}', self.clear(name))
+            for name, kind in (('except_region', ClearCostmapExceptRegion), ('around_robot', ClearCostmapAroundRobot),
+                               ('around_pose', ClearCostmapAroundPose))]
+        kinds = {
+            'navigate_to_pose': NavigateToPose, 'navigate_through_poses': NavigateThroughPoses, 'follow_waypoints': FollowWaypoints,
+            'follow_gps_waypoints': FollowGPSWaypoints, 'spin': Spin, 'backup': BackUp, 'drive_on_heading': DriveOnHeading,
+            'assisted_teleop': AssistedTeleop, 'dock_robot': DockRobot, 'undock_robot': UndockRobot, 'smooth_path': SmoothPath,
+            'compute_path_to_pose': ComputePathToPose,
+        }
+        self.servers = [
+            ActionServer(self, kind, name, self.work(name, kind), goal_callback=self.asked, cancel_callback=self.cancel)
+            for name, kind in kinds.items()]
+
+    def refuse(self, request, response):
+        self.refuses = request.data
+        response.success = True
+        return response
+
+    def clear(self, name):
+        def answer(request, response):
+            place = request.pose.pose.position.x if name == 'around_pose' else ''
+            self.get_logger().info(f'{name}: {request.reset_distance} {place}'.rstrip())
+            return response
+        return answer
+
+    def asked(self, goal):
+        return GoalResponse.REJECT if self.refuses else GoalResponse.ACCEPT
+
+    def cancel(self, handle):
+        self.cancelled.set_result(True)
+        return CancelResponse.ACCEPT
+
+    def work(self, name, kind):
+        async def run(handle):
+            goal = handle.request
+            shown = {
+                'navigate_to_pose': lambda: f'{goal.pose.pose.position.x} {goal.behavior_tree}',
+                'navigate_through_poses': lambda: f'{[one.pose.position.y for one in goal.poses]} {goal.behavior_tree}',
+                'follow_waypoints': lambda: f'{[one.pose.position.x for one in goal.poses]}',
+                'follow_gps_waypoints': lambda: f'{[one.position.latitude for one in goal.gps_poses]}',
+                'spin': lambda: f'{goal.target_yaw:.2f} {goal.time_allowance.sec}',
+                'backup': lambda: f'{goal.target.x} {goal.speed:.3f} {goal.time_allowance.sec}',
+                'drive_on_heading': lambda: f'{goal.target.x} {goal.speed:.3f} {goal.time_allowance.sec}',
+                'assisted_teleop': lambda: f'{goal.time_allowance.sec}',
+                'dock_robot': lambda: f'{goal.use_dock_id} {goal.dock_id} {goal.dock_type} {goal.navigate_to_staging_pose}',
+                'undock_robot': lambda: f'{goal.dock_type}',
+                'smooth_path': lambda: f'{len(goal.path.poses)} {goal.smoother_id} {goal.max_smoothing_duration.sec} {goal.check_for_collisions}',
+                'compute_path_to_pose': lambda: f'{goal.use_start}',
+            }[name]()
+            self.get_logger().info(f'{name}: {shown}'.rstrip())
+            if name == 'navigate_to_pose':
+                handle.publish_feedback(NavigateToPose.Feedback(distance_remaining=2.5))
+                if goal.pose.pose.position.x > 90:
+                    await self.cancelled
+                    handle.canceled()
+                    return kind.Result()
+                if goal.pose.pose.position.x > 80:
+                    handle.abort()
+                    return kind.Result(error_code=7)
+            handle.succeed()
+            if name == 'smooth_path':
+                return kind.Result(path=goal.path)
+            return kind.Result()
+        return run
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Servers())
+`;
+
+const calls = `
+from geographic_msgs.msg import GeoPose
+from geometry_msgs.msg import PoseStamped
+from nav2_simple_commander.line_iterator import LineIterator
+from nav2_simple_commander.robot_navigator import BasicNavigator, TaskResult
+from nav_msgs.msg import Path
+import rclpy
+from std_srvs.srv import SetBool
+
+
+def pose(x, y=0.0):
+    result = PoseStamped()
+    result.header.frame_id = 'map'
+    result.pose.position.x = x
+    result.pose.position.y = y
+    return result
+
+
+def points(*arguments):
+    line = LineIterator(*arguments)
+    found = []
+    while line.isValid() and len(found) < 50:
+        found.append((line.getX(), line.getY()))
+        line.advance()
+    return found
+
+
+def lines(say):
+    say(f'line {points(0, 0, 2, 2)} {points(0, 0, -1, 2, 0.5)} {points(1, 3, 1, 1)} {points(0, 0, 1 / 3, 0, 0.3)} {points(0, 0, 5, 5, 10)}')
+    line = LineIterator(0, 0, 3, 4)
+    say(f'length {line.get_line_length()} from {line.getX0()} {line.getY0()} to {line.getX1()} {line.getY1()}')
+    for wrong in ((0, 0, '10', 10), (0, 0, 10, 10, -2), (2, 2, 2, 2), (0, 0, float('inf'), 0), (0, 0, 1, float('nan'))):
+        try:
+            LineIterator(*wrong)
+        except (TypeError, ValueError) as error:
+            say(f'{type(error).__name__}: {error}')
+
+
+def main():
+    rclpy.init()
+    navigator = BasicNavigator()
+    say = navigator.info
+    lines(say)
+    say(f'before any task: {navigator.isTaskComplete()} {navigator.getResult()} {navigator.getFeedback()}')
+    navigator.waitUntilNav2Active(navigator='map_server', localizer='robot_localization')
+    refuse = navigator.create_client(SetBool, 'refuse')
+    refuse.wait_for_service()
+    tasks = [
+        lambda: navigator.goToPose(pose(1.5), 'tree.xml'),
+        lambda: navigator.goThroughPoses([pose(0.0, 1.0), pose(0.0, 2.0)], 'trees.xml'),
+        lambda: navigator.followWaypoints([pose(1.0), pose(2.0), pose(3.0)]),
+        lambda: navigator.followGpsWaypoints([GeoPose()]),
+        lambda: navigator.spin(),
+        lambda: navigator.spin(spin_dist=-1.0, time_allowance=5),
+        lambda: navigator.backup(),
+        lambda: navigator.driveOnHeading(0.5, 0.1, 7),
+        lambda: navigator.assistedTeleop(),
+        lambda: navigator.dockRobotByID('home', False),
+        lambda: navigator.dockRobotByPose(pose(3.0), 'charger'),
+        lambda: navigator.undockRobot('charger'),
+    ]
+
+    def run(task):
+        accepted = task()
+        while accepted and not navigator.isTaskComplete():
+            pass
+        say(f'{accepted} {navigator.getResult()}')
+
+    for task in tasks:
+        run(task)
+    say(f'feedback {navigator.getFeedback().distance_remaining}')
+    smooth = navigator.smoothPath(Path(poses=[pose(1.0), pose(2.0)]), 'simple_smoother', 3.0, True)
+    say(f'smooth {len(smooth.poses)}')
+    navigator.clearCostmapExceptRegion(1.5)
+    navigator.clearCostmapAroundRobot(2.5)
+    navigator.clearCostmapAroundPose(pose(4.0), 3.5)
+    run(lambda: navigator.goToPose(pose(85.0)))
+    accepted = navigator.goToPose(pose(99.0))
+    say(f'complete {navigator.isTaskComplete()}')
+    navigator.cancelTask()
+    while not navigator.isTaskComplete():
+        pass
+    say(f'{accepted} {navigator.getResult()}')
+    rclpy.spin_until_future_complete(navigator, refuse.call_async(SetBool.Request(data=True)))
+    for task in tasks:
+        run(task)
+    say(f'{navigator.smoothPath(Path())} {navigator.getPath(pose(0.0), pose(1.0))}')
+    navigator.lifecycleStartup()
+    navigator.destroy_node()
+    print('calls are over', flush=True)
+    rclpy.shutdown()
+`;
+
+/** 100 x 100 pixels, the first row at the top: a border, and a wall from the bottom at x 50 over 70 rows. */
+function room(): Buffer {
+  const rows = Array.from({ length: 100 }, (_, row) => {
+    const y = 99 - row;
+    return Array.from({ length: 100 }, (_column, x) => (x === 0 || y === 0 || x === 99 || y === 99 || (x === 50 && y < 70) ? 0 : 254));
+  });
+  return Buffer.concat([Buffer.from('P5\n100 100\n255\n'), Buffer.from(rows.flat())]);
+}
+
+/** The lines that a node logs, without their heads. */
+function said(output: string, node: string): string[] {
+  const line = new RegExp(`\\[${node}\\]: (.*)$`);
+  return output.split('\n').flatMap((text) => line.exec(text.replace(/\x1b\[\d*m/g, ''))?.[1] ?? []); // eslint-disable-line no-control-regex
+}
+
+const goals = [
+  'navigate_to_pose: 1.5 tree.xml',
+  'navigate_through_poses: [1.0, 2.0] trees.xml',
+  'follow_waypoints: [1.0, 2.0, 3.0]',
+  'follow_gps_waypoints: [0.0]',
+  'spin: 1.57 10',
+  'spin: -1.00 5',
+  'backup: 0.15 0.025 10',
+  'drive_on_heading: 0.5 0.100 7',
+  'assisted_teleop: 30',
+  'dock_robot: True home  False',
+  'dock_robot: False  charger True',
+  'undock_robot: charger',
+  'smooth_path: 2 simple_smoother 3 True',
+  'except_region: 1.5',
+  'around_robot: 2.5',
+  'around_pose: 3.5 4.0',
+  'navigate_to_pose: 85.0',
+  'navigate_to_pose: 99.0',
+];
+
+/** The text of each task, and of its refusal. */
+const texts: readonly (readonly [begin: readonly string[], refusal: string])[] = [
+  [['Navigating to goal: 1.5 0.0...'], 'Goal to 1.5 0.0 was rejected!'],
+  [['Navigating with 2 goals....'], 'Goal with 2 poses was rejected!'],
+  [['Following 3 goals....'], 'Following 3 waypoints request was rejected!'],
+  [['Following 1 gps goals....'], 'Following 1 gps waypoints request was rejected!'],
+  [['Spinning to angle 1.57....'], 'Spin request was rejected!'],
+  [['Spinning to angle -1.0....'], 'Spin request was rejected!'],
+  [['Backing up 0.15 m at 0.025 m/s....'], 'Backup request was rejected!'],
+  [['Drive 0.5 m on heading at 0.1 m/s....'], 'Drive On Heading request was rejected!'],
+  [["Running 'assisted_teleop'...."], 'Assisted Teleop request was rejected!'],
+  [["Waiting for 'DockRobot' action server", 'Docking at dock ID: home...'], 'Docking request was rejected!'],
+  [["Waiting for 'DockRobot' action server", 'Docking at pose: ...'], 'Docking request was rejected!'],
+  [["Waiting for 'UndockRobot' action server", 'Undocking from dock of type: charger...'], 'Undocking request was rejected!'],
+];
+
+const answers = [
+  'line [(0, 0), (1.0, 1.0), (2, 2.0)] [(0, 0), (-0.5, 1.0), (-1, 2.0)] [(1, 3), (1, 2.0), (1, 1)] [(0, 0), (0.3, 0.0), (0.3333333333333333, 0.0)] '
+  + '[(0, 0), (5, 5.0)]',
+  'length 5.0 from 0 0 to 3 4',
+  'TypeError: x1 must be a number (int or float)',
+  'ValueError: step_size must be a positive number',
+  'ValueError: Line has zero length (All 4 points have same coordinates)',
+  'ValueError: x1 must be finite',
+  'ValueError: y1 must be finite',
+  'before any task: True TaskResult.UNKNOWN None',
+  'Nav2 is ready for use!',
+  ...texts.flatMap(([begin]) => [...begin, 'True TaskResult.SUCCEEDED']),
+  'feedback 2.5',
+  'Smoothing path...',
+  'smooth 2',
+  'Navigating to goal: 85.0 0.0...',
+  'True TaskResult.FAILED',
+  'Navigating to goal: 99.0 0.0...',
+  'complete False',
+  'Canceling current task.',
+  'True TaskResult.CANCELED',
+  ...texts.flatMap(([begin, refusal]) => [...begin, refusal, 'False TaskResult.CANCELED']),
+  'Smoothing path...',
+  'Smooth path was rejected!',
+  'Getting path failed with status code: 5',
+  'Getting path...',
+  'Get path was rejected!',
+  'Getting path failed with status code: 5',
+  'None None',
+  'Starting up lifecycle nodes based on lifecycle_manager.',
+  'Starting up /lifecycle_manager_localization/manage_nodes',
+  'Nav2 is ready for use!',
+];
+
+async function packed(launch: string): Promise<PackWorkspace> {
+  const workspace = new PackWorkspace('shared');
+  workspace.addPythonPackage('postman', { drive, servers, calls }, ['rclpy', 'nav2_simple_commander', 'nav2_loopback_sim', 'nav2_map_server',
+    'nav2_lifecycle_manager', 'nav2_controller', 'nav2_planner', 'tf2_ros', 'tf2_ros_py', 'nav2_msgs', 'nav_msgs', 'geographic_msgs', 'sensor_msgs', 'std_srvs',
+    'rosgraph_msgs']);
+  const file = (path: string, content: string | Uint8Array): string => workspace.write(`src/postman/${path}`, content);
+  const setup = workspace.read('src/postman/setup.py').toString().replace('data_files=[', `data_files=[
+      ('share/postman/launch', ['launch/navigation_launch.py']), ('share/postman/params', ['params/nav2_params.yaml']),
+      ('share/postman/maps', ['maps/room.yaml', 'maps/room.pgm']),`);
+  file('setup.py', setup);
+  file('launch/navigation_launch.py', launch);
+  file('params/nav2_params.yaml', parameters);
+  file('maps/room.pgm', room());
+  file('maps/room.yaml', 'image: room.pgm\nresolution: 0.05\norigin: [-2.5, -2.5, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n');
+  workspace.write('workspace.yaml', 'schema: 1\nname: postman\npackages: [src/*]\nlaunch: src/postman/launch/navigation_launch.py\n');
+  const { code, stderr } = await workspace.run(['pack']);
+  assert.equal(code, 0, stderr);
+  return workspace;
+}
+
+let drives: PackWorkspace;
+let asks: PackWorkspace;
+before(async () => {
+  drives = await packed(driveLaunch);
+  asks = await packed(callsLaunch);
+}, watchdog);
+after(() => {
+  drives.close();
+  asks.close();
+});
+
+test('a Python program drives a robot without physics through a room', watchdog, async () => {
+  const run = await drives.run(['run', 'site', '--for', '200s', '--until', 'drive is over']);
+  const output = run.stdout + run.stderr;
+  assert.equal(run.code, 0, output);
+  assert.deepEqual(said(output, 'basic_navigator'), [
+    'Publishing Initial Pose',
+    'Nav2 is ready for use!',
+    'at -1.98 -1.98',
+    // The lidar is 0.12 m ahead of the middle of the robot. The first column of a map is not seen.
+    'rays 240, ahead 1.90, left 4.45, behind inf, in base_scan',
+    'clock True, odometry while it stands 0',
+    'Getting path...',
+    'path of 8.2 m, result TaskResult.SUCCEEDED',
+    'Executing path...',
+    'followed: TaskResult.SUCCEEDED, feedback from 8.2 to less than a metre True',
+    'at the goal True, odometry odom base_link True',
+    'Getting path...',
+    'through poses True',
+    'Getting path...',
+    'Getting path failed with status code: 6',
+    'no path None 6',
+    'Executing path...',
+    'Canceling current task.',
+    'cancelled: TaskResult.CANCELED',
+    'Executing path...',
+    'unknown controller: TaskResult.FAILED 101',
+    'Publishing Initial Pose',
+    'moved by hand from 1 to -2.00 2.00',
+    'costs 100 x 100 at 0.05, local 60',
+    'Change map request failed!',
+    'map 100 100 0.05 map -2.5 -2.5',
+    'cells 100 0 (50, 10) (None, None)',
+    'middle 0.025 -1.975, size 4.975',
+    'unknown 255, set 254, of uint8',
+    'Costmap not specified, use setCostmap to specify the costmap first',
+    'footprint free 0.0, on the wall 100.0, outside 254, in a cell 0.0',
+    'Shutting down lifecycle nodes based on lifecycle_manager.',
+    'Shutting down /lifecycle_manager_navigation/manage_nodes',
+    'drive is over',
+  ], output);
+  const simulator = said(output, 'loopback_simulator');
+  for (const line of ['Laser scan will be populated using map data', 'Loopback simulator initialized', 'Received initial pose!']) {
+    assert.ok(simulator.includes(line), `loopback_simulator does not say: ${line}\n${output}`);
+  }
+});
+
+for (const link of played('shared', 'port')) {
+  test(`${link}: each call sends its goal, and says how it ends`, watchdog, async () => {
+    const stepped = link === 'shared' ? ['--stepped', '--seed', '5'] : [];
+    const run = await asks.run(['run', 'site', '--link', link, ...stepped, '--for', '200s', '--until', 'calls are over']);
+    const output = run.stdout + run.stderr;
+    assert.equal(run.code, 0, output);
+    const lines = said(output, 'basic_navigator').map((line) => line.replace(/(Docking at pose: ).*frame_id='map'.*x=3\.0.*\.\.\./, '$1...'));
+    assert.deepEqual(lines, answers, output);
+    assert.deepEqual(said(output, 'servers'), goals, output);
+  });
+}

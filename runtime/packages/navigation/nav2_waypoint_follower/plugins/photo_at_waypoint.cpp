@@ -9,6 +9,7 @@
 #include "nav2_util/node_utils.hpp"
 #include "photo_file.hpp"
 #include "pluginlib/class_list_macros.hpp"
+#include "ros2wasm/files.hpp"
 
 namespace nav2_waypoint_follower {
 
@@ -65,11 +66,14 @@ bool PhotoAtWaypoint::processAtWaypoint(const geometry_msgs::msg::PoseStamped& c
     const sensor_msgs::msg::Image& image = *curr_frame_msg_;
     const std::string bytes = photo_file(
         {image.width, image.height, image.step, image.encoding, image.data}, image_format_);
-    const std::string name = std::to_string(curr_waypoint_index) + "_" +
-                             std::to_string(curr_pose.header.stamp.sec) + "." + image_format_;
-    std::ofstream file(save_dir_ / name, std::ios::binary);
-    file << bytes << std::flush;
-    if (!file) throw std::runtime_error("cannot write " + (save_dir_ / name).string());
+    const std::filesystem::path path =
+        save_dir_ / (std::to_string(curr_waypoint_index) + "_" +
+                     std::to_string(curr_pose.header.stamp.sec) + "." + image_format_);
+    std::ofstream file(path, std::ios::binary);
+    file << bytes;
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + path.string());
+    ros2wasm::give_file(path.string());
   } catch (const std::exception& error) {
     RCLCPP_ERROR(logger_,
                  "Couldn't take photo at waypoint %i! Caught exception: %s \n"

@@ -1,6 +1,6 @@
 // A Python program that sends a robot somewhere: nav2_simple_commander with the servers of Nav2 and the loopback simulator. Headless.
 
-// Compatibility, works: nav2_loopback_sim: a robot without physics with odometry, transforms, a lidar that sees the map, and a clock
+// Compatibility, works: nav2_loopback_sim: a robot without physics with odometry, transforms, a lidar that sees the map, a clock, and its launch file
 
 // Compatibility, works: nav2_simple_commander: BasicNavigator with all calls of upstream, TaskResult, PyCostmap2D,
 // FootprintCollisionChecker, LineIterator
@@ -17,6 +17,8 @@ import os
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch_ros.actions import Node
 
 
@@ -31,7 +33,9 @@ def generate_launch_description():
              parameters=[{'autostart': True, 'node_names': ['map_server', 'controller_server', 'planner_server']}]),
         Node(package='tf2_ros', executable='static_transform_publisher',
              arguments=['--x', '0.12', '--z', '0.2', '--frame-id', 'base_link', '--child-frame-id', 'base_scan']),
-        Node(package='nav2_loopback_sim', executable='loopback_simulator', parameters=[params]),
+        IncludeLaunchDescription(
+            PythonLaunchDescriptionSource(os.path.join(get_package_share_directory('nav2_loopback_sim'), 'loopback_simulation.launch.py')),
+            launch_arguments={'params_file': params}.items()),
         Node(package='postman', executable='drive'),
     ])
 `;

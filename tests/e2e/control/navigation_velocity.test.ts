@@ -1,8 +1,8 @@
 // The velocity smoother of Nav2: steps of a command, the end of one that nobody repeats, proportions of axes, odometry, and what its
 // parameters refuse. Headless, stepped.
 
-// Compatibility, works: Nav2's `velocity_smoother` with all parameters of upstream, in an open and a closed loop, with and without
-// headers; it does not wake up while nobody commands
+// Compatibility, works: Nav2's `velocity_smoother`, as a program and a component, with all parameters of upstream, in an open and a
+// closed loop, with and without headers; it does not wake up while nobody commands
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -17,7 +17,8 @@ import os
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch_ros.actions import Node
+from launch_ros.actions import ComposableNodeContainer, Node
+from launch_ros.descriptions import ComposableNode
 
 
 def generate_launch_description():
@@ -26,7 +27,11 @@ def generate_launch_description():
         Node(package='nav2_velocity_smoother', executable='velocity_smoother', name='velocity_smoother', output='screen',
              parameters=[params], remappings=[('cmd_vel', 'cmd_vel_nav')]),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation', output='screen',
-             parameters=[{'autostart': True, 'node_names': ['velocity_smoother']}]),
+             parameters=[{'autostart': True, 'node_names': ['velocity_smoother', 'boxed']}]),
+        ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', executable='component_container',
+                                composable_node_descriptions=[ComposableNode(
+                                    package='nav2_velocity_smoother', plugin='nav2_velocity_smoother::VelocitySmoother', name='boxed',
+                                    parameters=[{'max_accel': [1.0, 0.0, 0.0]}], remappings=[('cmd_vel_smoothed', 'boxed_velocity')])]),
         Node(package='gentle', executable='driver', output='screen'),
         Node(package='gentle', executable='own', output='screen', parameters=[params]),
     ])
@@ -95,10 +100,14 @@ int main(int argc, char** argv) {
     times.push_back(node->now().seconds());
   });
   const auto client = std::make_shared<rclcpp::AsyncParametersClient>(node, "velocity_smoother");
+  std::vector<double> boxed;
+  const auto component = node->create_subscription<Twist>("boxed_velocity", 10, [&boxed](const Twist& twist) { boxed.push_back(twist.linear.x); });
   // A smoother passes commands on once it is active.
   Twist command;
-  while (rclcpp::ok() && speeds.empty()) {
+  const auto box = node->create_publisher<Twist>("cmd_vel", 1);
+  while (rclcpp::ok() && (speeds.empty() || boxed.empty())) {
     commands->publish(command);
+    box->publish(command);
     pass(100ms);
   }
   pass(2s);
@@ -142,6 +151,11 @@ int main(int argc, char** argv) {
   commands->publish(command);
   pass(2s);
   say("at 10 Hz:%s", listed(0, 20).c_str());
+  boxed.clear();
+  command.linear.x = 0.2;
+  box->publish(command);
+  pass(500ms);
+  say("a component: %.3f %.3f %.3f %.3f", boxed.at(0), boxed.at(1), boxed.at(2), boxed.at(3));
   say("%s", "driver is over");
   rclcpp::shutdown();
 }
@@ -319,6 +333,7 @@ for (const link of played('shared', 'port')) {
       'set: 0 velocity_timeout must be a number of seconds',
       ...Array.from({ length: 5 }, () => 'set: 1 '),
       'at 10 Hz: 0.000 0.500 0.000',
+      'a component: 0.050 0.100 0.150 0.200',
       'driver is over',
     ]);
     for (

@@ -2,7 +2,7 @@
 // Navigation itself is an action server of the workspace, which succeeds, fails, refuses or takes its time. Headless.
 
 // Compatibility, works: Nav2's `waypoint_follower`: `follow_waypoints`, `follow_gps_waypoints` by `fromLL`, loops, missed waypoints with
-// their error codes, preemption and cancellation; WaitAtWaypoint, InputAtWaypoint, PhotoAtWaypoint and tasks of the workspace
+// their error codes, preemption and cancellation, as a program and a component; WaitAtWaypoint, InputAtWaypoint, PhotoAtWaypoint and tasks of the workspace
 
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
@@ -20,7 +20,8 @@ import os
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch_ros.actions import Node
+from launch_ros.actions import ComposableNodeContainer, Node
+from launch_ros.descriptions import ComposableNode
 
 
 def generate_launch_description():
@@ -31,7 +32,11 @@ def generate_launch_description():
         return Node(package='nav2_waypoint_follower', executable='waypoint_follower', name='waypoint_follower', namespace=name, parameters=[params])
 
     return LaunchDescription([
-        *[follower(name) for name in names],
+        *[follower(name) for name in names[:-1]],
+        ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', executable='component_container',
+                                composable_node_descriptions=[ComposableNode(
+                                    package='nav2_waypoint_follower', plugin='nav2_waypoint_follower::WaypointFollower',
+                                    name='waypoint_follower', namespace=names[-1])]),
         follower('broken'),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation', parameters=[{
             'autostart': True, 'bond_timeout': 0.0, 'node_names': [f'{name}/waypoint_follower'.strip('/') for name in names]}]),

@@ -9,6 +9,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { PackWorkspace } from '../support/pack_workspace.ts';
+import { costmap } from '../support/room_robot.ts';
 
 const watchdog = { timeout: 500_000 };
 
@@ -38,26 +39,6 @@ def generate_launch_description():
             launch_arguments={'params_file': params}.items()),
         Node(package='postman', executable='drive'),
     ])
-`;
-
-const costmap = (name: string, frame: string, more: string): string => `
-${name}:
-  ${name}:
-    ros__parameters:
-      update_frequency: 10.0
-      publish_frequency: 5.0
-      global_frame: ${frame}
-      robot_base_frame: base_link
-      robot_radius: 0.15
-      resolution: 0.05
-${more}
-      static_layer:
-        plugin: "nav2_costmap_2d::StaticLayer"
-        map_topic: /map
-      inflation_layer:
-        plugin: "nav2_costmap_2d::InflationLayer"
-        cost_scaling_factor: 5.0
-        inflation_radius: 0.4
 `;
 
 const parameters = `

@@ -463,7 +463,7 @@ function near(actual: readonly number[], expected: readonly number[], tolerance:
 const northDegree = 111_340;
 const eastDegree = 62_553;
 
-for (const link of played('shared', 'port')) {
+for (const link of played('shared')) {
   let output = '';
   test(`${link}: filters know where a robot is, whose odometry does not`, { timeout: 400_000 }, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--stepped', '--seed', '7', '--for', '120s', '--until', 'driver is over']);

@@ -380,7 +380,7 @@ void pauses(Behavior<DriveOnHeading>& drive) {
   say("reset %d", manager.reset());
 }
 
-/// What cannot work is refused when the server is configured, and it can be configured once more.
+/// Settings that cannot work are refused when the server is configured, and it can be configured once more.
 void configures() {
   nav2_util::LifecycleServiceClient server("behavior_server", node);
   const auto parameters = std::make_shared<rclcpp::AsyncParametersClient>(node, "behavior_server");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "pluginlib/class_list_macros.hpp"
@@ -38,8 +37,12 @@ void ObstacleLayer::onInitialize() {
   std::string topics;
   node->get_parameter(getFullName("observation_sources"), topics);
   RCLCPP_INFO(logger_, "Subscribed to Topics: %s", topics.c_str());
-  std::istringstream sources(topics);
-  for (std::string source; sources >> source;) addSource(source);
+  constexpr char kSpace[] = " \t\r\n";
+  for (size_t from = 0; (from = topics.find_first_not_of(kSpace, from)) != std::string::npos;) {
+    const size_t end = std::min(topics.find_first_of(kSpace, from), topics.size());
+    addSource(topics.substr(from, end - from));
+    from = end;
+  }
   dyn_params_handler_ =
       node->add_on_set_parameters_callback([this](std::vector<rclcpp::Parameter> parameters) {
         return dynamicParametersCallback(parameters);

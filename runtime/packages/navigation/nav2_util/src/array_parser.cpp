@@ -1,7 +1,8 @@
 // See array_parser.hpp.
 #include "nav2_util/array_parser.hpp"
 
-#include <sstream>
+#include <cmath>
+#include <cstdlib>
 
 namespace nav2_util {
 
@@ -10,21 +11,20 @@ std::vector<std::vector<float>> parseVVF(const std::string& input, std::string& 
   std::vector<std::vector<float>> lists;
   std::vector<float> list;
   int depth = 0;
-  std::istringstream text(input);
+  const char* text = input.c_str();
   error_return.clear();
-  constexpr int kEnd = std::char_traits<char>::eof();
-  for (int letter = text.peek(); letter != kEnd; letter = text.peek()) {
+  for (char letter = *text; letter != '\0'; letter = *text) {
     if (letter == ',' || letter == ' ' || letter == '\t') {
-      text.get();
+      ++text;
     } else if (letter == '[') {
-      text.get();
+      ++text;
       list.clear();
       if (++depth > kInner) {
         error_return = "Array depth greater than 2";
         return lists;
       }
     } else if (letter == ']') {
-      text.get();
+      ++text;
       if (--depth < 0) {
         error_return = "More close ] than open [";
         return lists;
@@ -32,12 +32,16 @@ std::vector<std::vector<float>> parseVVF(const std::string& input, std::string& 
       if (depth == 1) lists.push_back(list);
     } else if (depth != kInner) {
       error_return = "Numbers at depth other than 2. Char was '";
-      error_return += static_cast<char>(letter);
+      error_return += letter;
       error_return += "'.";
       return lists;
     } else {
-      float number = 0;
-      if (text >> number) list.push_back(number);
+      char* end = nullptr;
+      const float number = std::strtof(text, &end);
+      // The list does not go on after something else.
+      if (end == text || !std::isfinite(number)) break;
+      list.push_back(number);
+      text = end;
     }
   }
   if (depth != 0) error_return = "Unterminated vector string.";

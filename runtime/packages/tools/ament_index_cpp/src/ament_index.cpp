@@ -2,12 +2,12 @@
 #include <dirent.h>
 #include <sys/stat.h>
 
+#include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <sstream>
+#include <string_view>
 
+#include "ament_index_cpp/detail/file_text.hpp"
 #include "ament_index_cpp/get_package_prefix.hpp"
 #include "ament_index_cpp/get_package_share_directory.hpp"
 #include "ament_index_cpp/get_package_share_path.hpp"
@@ -43,7 +43,24 @@ void require(const std::string& type) {
   }
 }
 
+bool is_folder(const std::string& path) {
+  struct stat told {};
+  return !path.empty() && stat(path.c_str(), &told) == 0 && S_ISDIR(told.st_mode);
+}
+
 }  // namespace
+
+std::optional<std::string> detail::file_text(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) return std::nullopt;
+  std::string text;
+  char part[4096];
+  while (const size_t count = std::fread(part, 1, sizeof part, file.get())) {
+    text.append(part, count);
+  }
+  return text;
+}
 
 std::list<std::string> get_search_paths() {
   const char* const value = std::getenv(kVariable);
@@ -52,12 +69,11 @@ std::list<std::string> get_search_paths() {
                              "' is not set or empty");
   }
   std::list<std::string> paths;
-  std::istringstream parts(value);
-  for (std::string path; std::getline(parts, path, ':');) {
-    struct stat told {};
-    if (!path.empty() && stat(path.c_str(), &told) == 0 && S_ISDIR(told.st_mode)) {
-      paths.push_back(path);
-    }
+  for (std::string_view rest = value; !rest.empty();) {
+    const size_t end = rest.find(':');
+    std::string path(rest.substr(0, end));
+    if (is_folder(path)) paths.push_back(std::move(path));
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
   }
   return paths;
 }
@@ -69,11 +85,12 @@ bool get_resource(const std::string& resource_type, const std::string& resource_
     throw std::runtime_error("ament_index_cpp: resource name must not be empty");
   }
   for (const std::string& prefix : get_search_paths()) {
-    std::ifstream file(folder_of(prefix, resource_type) + "/" + resource_name);
-    if (!file) {
+    std::optional<std::string> text =
+        detail::file_text(folder_of(prefix, resource_type) + "/" + resource_name);
+    if (!text) {
       continue;
     }
-    content.assign(std::istreambuf_iterator<char>(file), {});
+    content = std::move(*text);
     if (prefix_path != nullptr) {
       *prefix_path = prefix;
     }

@@ -1,10 +1,9 @@
 // See descriptions.hpp.
 #include "descriptions.hpp"
 
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <string_view>
 
+#include "ament_index_cpp/detail/file_text.hpp"
 #include "ament_index_cpp/get_resource.hpp"
 #include "ament_index_cpp/get_resources.hpp"
 #include "pluginlib/exceptions.hpp"
@@ -71,19 +70,20 @@ std::vector<std::string> description_paths(const std::string& package,
   for (const auto& [of, prefix] : ament_index_cpp::get_resources(kind)) {
     std::string content;
     ament_index_cpp::get_resource(kind, of, content);
-    std::istringstream lines(content);
-    for (std::string line; std::getline(lines, line);) {
+    for (std::string_view rest = content; !rest.empty();) {
+      const size_t end = rest.find('\n');
+      const std::string_view line = rest.substr(0, end);
       if (!line.empty()) {
-        paths.push_back(prefix + "/" + line);
+        paths.push_back(prefix + "/" + std::string(line));
       }
+      rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
     }
   }
   return paths;
 }
 
 std::vector<ClassDesc> read_description(const std::string& path) {
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = ament_index_cpp::detail::file_text(path).value_or("");
   try {
     const XmlDocument document(text);
     const XmlElement& root = document.root();

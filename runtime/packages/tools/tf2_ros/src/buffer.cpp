@@ -2,8 +2,8 @@
 #include "tf2_ros/buffer.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
-#include <sstream>
 
 #include "rclcpp/detail/background.hpp"
 #include "ros2wasm/endpoint.hpp"
@@ -131,11 +131,11 @@ bool Buffer::ask_for(const std::function<bool()>& can_transform, tf2::Duration t
     ros2wasm::wait(token, std::min(fromRclcpp(end - now), tf2::Duration(kLookAgain)).count());
   }
   if (errstr != nullptr) {
-    std::ostringstream text;
-    text << ". canTransform returned after "
-         << tf2::durationToSec(fromRclcpp(clock_->now() - start)) << " timeout was "
-         << tf2::durationToSec(timeout) << ".";
-    *errstr += text.str();
+    char text[100];
+    std::snprintf(text, sizeof text, ". canTransform returned after %g timeout was %g.",
+                  tf2::durationToSec(fromRclcpp(clock_->now() - start)),
+                  tf2::durationToSec(timeout));
+    *errstr += text;
   }
   return can;
 }

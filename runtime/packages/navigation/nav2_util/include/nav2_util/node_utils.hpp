@@ -79,8 +79,8 @@ ParamType declare_or_get_parameter(
   const auto& overrides = param_interface->get_parameter_overrides();
   if (overrides.find(parameter_name) == overrides.end()) {
     if (warn_if_no_override) {
-      RCLCPP_WARN_STREAM(logger, "Failed to get param " << parameter_name
-                                                        << " from overrides, using default value.");
+      RCLCPP_WARN(logger, "Failed to get param %s from overrides, using default value.",
+                  parameter_name.c_str());
     }
     if (strict_param_loading) {
       throw rclcpp::exceptions::InvalidParameterValueException(

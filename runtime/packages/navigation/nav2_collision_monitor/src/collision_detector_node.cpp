@@ -98,7 +98,7 @@ std::vector<Point> CollisionDetector::collectPoints() {
   std::vector<Point> points;
   const rclcpp::Time time = now();
   for (const auto& source : zones_.sources) {
-    if (!source->getEnabled() || source->getData(time, points) ||
+    if (!source->getEnabled() || readPoints(*source, time, points) ||
         source->getSourceTimeout().nanoseconds() == 0) {
       continue;
     }

@@ -54,7 +54,7 @@ bool CollisionMonitor::collectPoints(SourcePoints& points) {
   const rclcpp::Time time = now();
   for (const auto& source : zones_.sources) {
     std::vector<Point>& of_source = points[source->getSourceName()];
-    if (source->getEnabled() && !source->getData(time, of_source) &&
+    if (source->getEnabled() && !readPoints(*source, time, of_source) &&
         source->getSourceTimeout().nanoseconds() != 0) {
       return false;
     }

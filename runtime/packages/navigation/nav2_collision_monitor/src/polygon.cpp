@@ -158,7 +158,13 @@ void Polygon::takeFootprint() {
   std::vector<geometry_msgs::msg::Point> footprint;
   std_msgs::msg::Header header;
   // Without a new one the last is still right: it moves with the robot.
-  if (!footprint_sub_->getFootprintInRobotFrame(footprint, header)) return;
+  try {
+    if (!footprint_sub_->getFootprintInRobotFrame(footprint, header)) return;
+  } catch (const std::exception& error) {
+    RCLCPP_ERROR(logger_, "[%s]: A footprint cannot be used: %s", polygon_name_.c_str(),
+                 error.what());
+    return;
+  }
   poly_.clear();
   for (const auto& vertex : footprint) poly_.push_back({vertex.x, vertex.y});
   polygon_.header.frame_id = base_frame_id_;

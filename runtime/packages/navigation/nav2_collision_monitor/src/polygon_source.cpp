@@ -63,6 +63,11 @@ bool PolygonSource::getData(const rclcpp::Time& curr_time, std::vector<Point>& d
 }
 
 void PolygonSource::dataCallback(PolygonInstanceStamped::ConstSharedPtr msg) {
+  // It would stay, and stop the robot.
+  if (msg->header.stamp.sec < 0) {
+    RCLCPP_ERROR(logger_, "[%s]: A polygon of a negative time is ignored", source_name_.c_str());
+    return;
+  }
   const auto same = std::find_if(
       data_.begin(), data_.end(),
       [&msg](const PolygonInstanceStamped& older) { return older.polygon.id == msg->polygon.id; });

@@ -110,6 +110,16 @@ void Zones::publish() const {
   }
 }
 
+bool readPoints(Source& source, const rclcpp::Time& time, std::vector<Point>& points) {
+  try {
+    return source.getData(time, points);
+  } catch (const std::exception& error) {
+    RCLCPP_ERROR(rclcpp::get_logger("collision_monitor"), "[%s]: Its data cannot be used: %s",
+                 source.getSourceName().c_str(), error.what());
+    return false;
+  }
+}
+
 visualization_msgs::msg::Marker pointsMarker(const std::string& frame_id, const std::string& ns,
                                              const std::vector<Point>& points) {
   visualization_msgs::msg::Marker marker;

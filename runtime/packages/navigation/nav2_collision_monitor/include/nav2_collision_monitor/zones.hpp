@@ -35,6 +35,9 @@ struct Zones {
   tf2::Duration transform_tolerance_{};
 };
 
+/// Appends what a source sees. False also when its data makes it throw, such as a negative time.
+bool readPoints(Source& source, const rclcpp::Time& time, std::vector<Point>& points);
+
 /// Points of obstacles, for those who look at them.
 visualization_msgs::msg::Marker pointsMarker(const std::string& frame_id, const std::string& ns,
                                              const std::vector<Point>& points);

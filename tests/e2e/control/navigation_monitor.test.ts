@@ -153,6 +153,7 @@ const driver = `
 #include "std_srvs/srv/trigger.hpp"
 #include "tf2_ros/static_transform_broadcaster.h"
 #include "tf2_ros/transform_broadcaster.h"
+#include "visualization_msgs/msg/marker_array.hpp"
 
 using namespace std::chrono_literals;
 using geometry_msgs::msg::PolygonStamped;
@@ -178,7 +179,7 @@ void pass(std::chrono::nanoseconds time) { spin_until([] { return false; }, time
 struct Robot {
   double x = 0, wall = 3, cloud = 4, sonar = 3;  // m
   bool scans_run = true, cloud_is_broken = false, times_are_negative = false;
-  float view = 0.2F;
+  float view = 0.22F;
   tf2_ros::TransformBroadcaster broadcaster{node};
   tf2_ros::StaticTransformBroadcaster mounts{node};
   template <typename T>
@@ -309,6 +310,12 @@ int main(int argc, char** argv) {
   const auto shown = node->create_subscription<PolygonStamped>("polygon_limit", 10, [&](const PolygonStamped& message) {
     vertices = message.polygon.points.size();
   });
+  std::string points;
+  const auto markers = node->create_subscription<visualization_msgs::msg::MarkerArray>(
+      "collision_monitor/collision_points_marker", 1, [&](const visualization_msgs::msg::MarkerArray& message) {
+        points.clear();
+        for (const auto& marker : message.markers) points += " " + marker.ns + " " + std::to_string(marker.points.size());
+      });
   std::string detections;
   const auto found = node->create_subscription<nav2_msgs::msg::CollisionDetectorState>("collision_detector_state", 10, [&](const nav2_msgs::msg::CollisionDetectorState& state) {
     detections.clear();
@@ -348,6 +355,7 @@ int main(int argc, char** argv) {
   send("free again", 1.0, 0.2);
   say("states:%s", actions.c_str());
   say("vertices %zu", vertices);
+  say("points:%s", points.c_str());
 
   robot.sonar = 0.3;
   send("ahead", 0.5, 0.0);
@@ -399,7 +407,7 @@ int main(int argc, char** argv) {
   send("mended", 1.0, 0.0);
   robot.view = 1e9F;
   send("a wide view", 1.0, 0.0);
-  robot.view = 0.2F;
+  robot.view = 0.22F;
   send("a narrow view", 1.0, 0.0);
   set("collision_monitor", rclcpp::Parameter("peers.enabled", true));
   robot.times_are_negative = true;
@@ -435,7 +443,7 @@ function said(output: string, node: string): string[] {
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  const libraries = ['geometry_msgs', 'nav2_msgs', 'nav2_util', 'rclcpp', 'sensor_msgs', 'std_msgs', 'std_srvs', 'tf2_ros'];
+  const libraries = ['geometry_msgs', 'nav2_msgs', 'nav2_util', 'rclcpp', 'sensor_msgs', 'std_msgs', 'std_srvs', 'tf2_ros', 'visualization_msgs'];
   workspace.addPackage('guarded', { driver }, {
     depends: [...libraries, 'nav2_collision_monitor', 'nav2_lifecycle_manager'],
     cmake: `${libraries.map((name) => `find_package(${name} REQUIRED)`).join('\n')}
@@ -471,6 +479,7 @@ for (const link of played('shared', 'port')) {
       'free again: 1.00 0.20',
       'states: 4Limit 0 2Slow 1Stop 2Slow 0',
       'vertices 4',
+      'points: collision_points_scan 10 collision_points_cloud 1 collision_points_sonar 6 collision_points_peers 0',
       'ahead: 0.50 0.00',
       'back: 0.00 0.00',
       'too fast: 0.00 0.00',

@@ -187,7 +187,9 @@ for (const link of played('shared')) {
     assert.equal(run.code, 0, output);
     const lines = said(output, 'basic_navigator');
     assert.ok(lines.includes('Nav2 is ready for use!'), output);
-    const results = lines.filter((line) => /^(ahead|within|at most|path|smoothed|cancelled|stands|spin|backup|waypoints|at the last|through|tour)\b/.test(line));
+    const results = lines.filter((line) =>
+      /^(ahead|within|at most|path|smoothed|cancelled|stands|spin|backup|waypoints|at the last|through|tour)\b/.test(line)
+    );
     assert.deepEqual(results, [
       'ahead: SUCCEEDED',
       'within 0.25 m True, turned True, in 30 s True, nearer True',

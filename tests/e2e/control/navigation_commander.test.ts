@@ -9,7 +9,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { PackWorkspace } from '../support/pack_workspace.ts';
-import { costmap } from '../support/room_robot.ts';
+import { costmap, room, said } from '../support/room_robot.ts';
 
 const watchdog = { timeout: 500_000 };
 
@@ -201,21 +201,6 @@ def main():
     navigator.destroyNode()
     rclpy.shutdown()
 `;
-
-/** 100 x 100 pixels, the first row at the top: a border, and a wall from the bottom at x 50 over 70 rows. */
-function room(): Buffer {
-  const rows = Array.from({ length: 100 }, (_, row) => {
-    const y = 99 - row;
-    return Array.from({ length: 100 }, (_column, x) => (x === 0 || y === 0 || x === 99 || y === 99 || (x === 50 && y < 70) ? 0 : 254));
-  });
-  return Buffer.concat([Buffer.from('P5\n100 100\n255\n'), Buffer.from(rows.flat())]);
-}
-
-/** The lines that a node logs, without their heads. */
-function said(output: string, node: string): string[] {
-  const line = new RegExp(`\\[${node}\\]: (.*)$`);
-  return output.split('\n').flatMap((text) => line.exec(text.replace(/\x1b\[\d*m/g, ''))?.[1] ?? []); // eslint-disable-line no-control-regex
-}
 
 let workspace: PackWorkspace;
 before(async () => {

@@ -9,6 +9,7 @@ import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
+import { said } from '../support/room_robot.ts';
 
 const watchdog = { timeout: 500_000 };
 
@@ -271,12 +272,6 @@ int main(int argc, char** argv) {
   rclcpp::shutdown();
 }
 `;
-
-/** The lines that a node logs, without their heads. */
-function said(output: string, node: string): string[] {
-  const line = new RegExp(`\\[${node}\\]: (.*)$`);
-  return output.split('\n').flatMap((text) => line.exec(text.replace(/\x1b\[\d*m/g, ''))?.[1] ?? []); // eslint-disable-line no-control-regex
-}
 
 let workspace: PackWorkspace;
 before(async () => {

@@ -121,7 +121,7 @@ def checks() -> dict[str, object]:
                 "runtime/packages/tools/twist_mux/", "runtime/packages/tools/urdf_launch/", LAUNCH_MODULES,
                 # cv2 makes its functions from tables when it is imported, as OpenCV's own does; neither has hints.
                 "runtime/packages/vendor/py_opencv/", "tests/support/opencv/")
-    hinted = [n for n in python if not n.startswith(unhinted) and not n.endswith(".launch.py")]
+    hinted = [n for n in python if not n.startswith(unhinted) and not n.endswith("launch.py")]
     shell = ["dev", ".ci/run", *tracked(".sh")]
     return {
         "format": lambda: run("clang-format", "--dry-run", "--Werror", *native_files()),

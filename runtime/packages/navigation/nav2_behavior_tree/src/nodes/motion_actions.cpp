@@ -98,7 +98,7 @@ class AssistedTeleop : public MotionAction<action::AssistedTeleop> {
     take_allowance();
     if (flag("is_recovery")) increment_recovery_count();
   }
-  /// A person stopped it, which is no failure unless the robot was to be recovered.
+  /// A person stopped it: a success, unless the robot was to be recovered.
   BT::NodeStatus on_aborted() override {
     const BT::NodeStatus failure = MotionAction::on_aborted();
     return flag("is_recovery") ? failure : BT::NodeStatus::SUCCESS;

@@ -1,4 +1,4 @@
-// What several nodes look at: the robot's place, the goal, and topics.
+// State that several nodes look at: the robot's place, the goal, and topics.
 #pragma once
 
 #include <functional>

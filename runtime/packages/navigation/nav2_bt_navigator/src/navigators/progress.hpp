@@ -1,4 +1,4 @@
-// What both navigators have in common: parameters, trees, transforms and feedback.
+// Shared by both navigators: parameters, trees, transforms and feedback.
 #pragma once
 
 #include <string>

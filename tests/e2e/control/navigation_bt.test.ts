@@ -45,7 +45,7 @@ bt_navigator:
     global_frame: map
     robot_base_frame: base_link
     odom_topic: odom
-    default_server_timeout: 500
+    default_server_timeout: 20
     navigators: ["navigate_to_pose", "navigate_through_poses", "tour"]
     navigate_to_pose:
       plugin: "nav2_bt_navigator::NavigateToPoseNavigator"

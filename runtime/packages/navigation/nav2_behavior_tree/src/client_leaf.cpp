@@ -1,11 +1,18 @@
 // See client_leaf.hpp.
 #include "nav2_behavior_tree/detail/client_leaf.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <stdexcept>
 
 namespace nav2_behavior_tree {
 namespace detail {
+
+std::chrono::milliseconds timeout_of(const BT::TreeNode& node, const char* name) {
+  std::chrono::milliseconds timeout{0};
+  BT::getInputPortOrBlackboard(node, *node.config().blackboard, name, timeout);
+  return std::max(timeout, kLeastTimeout);
+}
 
 ClientLeaf::ClientLeaf(const std::string& name, const BT::NodeConfiguration& conf)
     : BT::ActionNodeBase(name, conf) {
@@ -14,7 +21,7 @@ ClientLeaf::ClientLeaf(const std::string& name, const BT::NodeConfiguration& con
   callback_group_ =
       node_->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
   callback_group_executor_.add_callback_group(callback_group_, node_->get_node_base_interface());
-  BT::getInputPortOrBlackboard(*this, blackboard, "server_timeout", server_timeout_);
+  server_timeout_ = timeout_of(*this, "server_timeout");
   wait_for_service_timeout_ = blackboard.get<Milliseconds>("wait_for_service_timeout");
   max_timeout_ = blackboard.get<Milliseconds>("bt_loop_duration") / 2;
 }

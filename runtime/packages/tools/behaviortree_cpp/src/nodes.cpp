@@ -217,6 +217,10 @@ void ControlNode::haltChildren(std::size_t first) {
   for (std::size_t i = first; i < children_nodes_.size(); ++i) calm(*children_nodes_[i]);
 }
 
+void ControlNode::haltChild(std::size_t index) {
+  calm(*children_nodes_.at(index));
+}
+
 void DecoratorNode::setChild(TreeNode* child) {
   if (child_node_ != nullptr) {
     throw BehaviorTreeException("Decorator [" + name() + "] has already a child assigned");

@@ -34,8 +34,7 @@ class BtActionNode : public detail::ClientLeaf {
   BtActionNode(const std::string& xml_tag_name, const std::string& action_name,
                const BT::NodeConfiguration& conf)
       : detail::ClientLeaf(xml_tag_name, conf), action_name_(action_name) {
-    BT::getInputPortOrBlackboard(*this, *this->config().blackboard, "cancel_timeout",
-                                 cancel_timeout_);
+    cancel_timeout_ = detail::timeout_of(*this, "cancel_timeout");
     std::string remapped_action_name;
     if (getInput("server_name", remapped_action_name)) action_name_ = remapped_action_name;
     createActionClient(action_name_);

@@ -139,13 +139,12 @@ class IsPathValid : public ConditionNode {
   }
 
   NodeStatus tick() override {
-    std::chrono::milliseconds timeout{0};
-    BT::getInputPortOrBlackboard(*this, *config().blackboard, "server_timeout", timeout);
     auto request = std::make_shared<Service::Request>();
     getInput("path", request->path);
     auto answer = client_->async_send_request(request);
     const bool came =
-        executor_.spin_until_future_complete(answer, timeout) == rclcpp::FutureReturnCode::SUCCESS;
+        executor_.spin_until_future_complete(answer, detail::timeout_of(*this, "server_timeout")) ==
+        rclcpp::FutureReturnCode::SUCCESS;
     if (!came) client_->remove_pending_request(answer);
     return came && answer.get()->is_valid ? NodeStatus::SUCCESS : NodeStatus::FAILURE;
   }

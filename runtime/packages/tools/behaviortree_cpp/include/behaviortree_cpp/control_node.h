@@ -20,10 +20,10 @@ class ControlNode : public TreeNode {
   [[nodiscard]] const TreeNode* child(std::size_t index) const { return children_nodes_.at(index); }
 
   void halt() override;
+  // A child that runs is halted; it is IDLE afterwards.
   void haltChildren() { haltChildren(0); }
   void haltChildren(std::size_t first);
-  void haltChild(std::size_t index) { children_nodes_.at(index)->haltNode(); }
-  /// Those that run are halted, all are IDLE afterwards.
+  void haltChild(std::size_t index);
   void resetChildren() { haltChildren(0); }
   [[nodiscard]] NodeType type() const override { return NodeType::CONTROL; }
 

@@ -12,6 +12,13 @@
 namespace nav2_behavior_tree {
 namespace detail {
 
+/// A shorter timeout counts as this one. Parameter files give servers 20 ms, which a busy page may
+/// need for a message; a goal would fail then. It matters only where a server does not answer.
+inline constexpr std::chrono::milliseconds kLeastTimeout{1000};
+
+/// The value of a port or the blackboard's entry of that name.
+std::chrono::milliseconds timeout_of(const BT::TreeNode& node, const char* name);
+
 class ClientLeaf : public BT::ActionNodeBase {
  public:
   ClientLeaf(const std::string& name, const BT::NodeConfiguration& conf);

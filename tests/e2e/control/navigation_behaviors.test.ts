@@ -1,8 +1,8 @@
 // The behaviour server of Nav2 beside a controller server, whose local costmap it reads: a robot turns, drives, backs up, waits and is
 // steered in front of a wall; what ends a goal early, and a behaviour of the workspace. Headless.
 
-// Compatibility, works: Nav2's `behavior_server`, a program and a component, with Spin, BackUp, DriveOnHeading, Wait and AssistedTeleop (their actions and codes of
-// errors, checks for collisions, timeouts), and behaviours of the workspace that derive from `TimedBehavior`
+// Compatibility, works: Nav2's `behavior_server`, a program and a component, with Spin, BackUp, DriveOnHeading, Wait and AssistedTeleop
+// (their actions and codes of errors, checks for collisions, timeouts), and behaviours of the workspace that derive from `TimedBehavior`
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,8 +1,8 @@
 // The behaviour server of Nav2 beside a controller server, whose local costmap it reads: a robot turns, drives, backs up, waits and is
 // steered in front of a wall; what ends a goal early, and a behaviour of the workspace. Headless.
 
-// Compatibility, works: Nav2's `behavior_server` with Spin, BackUp, DriveOnHeading, Wait and AssistedTeleop (their actions and codes of
-// errors, checks for collisions, timeouts), and behaviours of the workspace that derive from `TimedBehavior`
+// Compatibility, works: Nav2's `behavior_server`, a program and a component, with Spin, BackUp, DriveOnHeading, Wait and AssistedTeleop
+// (their actions and codes of errors, checks for collisions, timeouts), and behaviours of the workspace that derive from `TimedBehavior`
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -19,7 +19,8 @@ import os
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch_ros.actions import Node
+from launch_ros.actions import ComposableNodeContainer, Node
+from launch_ros.descriptions import ComposableNode
 
 
 def generate_launch_description():
@@ -31,8 +32,11 @@ def generate_launch_description():
              parameters=[{'autostart': True, 'node_names': ['controller_server', 'behavior_server']}]),
         Node(package='house_moves', executable='base', output='screen'),
         Node(package='house_moves', executable='driver', output='screen'),
-        Node(package='nav2_behaviors', executable='behavior_server', name='lost', namespace='spare', output='screen',
-             parameters=[{'local_frame': 'nowhere', 'enable_stamped_cmd_vel': True}]),
+        ComposableNodeContainer(
+            name='spare_container', namespace='', package='rclcpp_components', executable='component_container_isolated', output='screen',
+            composable_node_descriptions=[ComposableNode(
+                package='nav2_behaviors', plugin='behavior_server::BehaviorServer', name='lost', namespace='spare',
+                parameters=[{'local_frame': 'nowhere', 'enable_stamped_cmd_vel': True}])]),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lost_manager', namespace='spare', output='screen',
              parameters=[{'autostart': True, 'node_names': ['lost']}]),
         Node(package='nav2_behaviors', executable='behavior_server', name='broken', namespace='spare', output='screen',
@@ -396,7 +400,7 @@ void configures() {
   configure("simulation_time_step", 0.2);
 }
 
-/// A server with the parameters that are the default, without costmaps, in a frame that nobody knows.
+/// A server as a component, with the parameters that are the default, without costmaps, in a frame that nobody knows.
 void lost_server() {
   geometry_msgs::msg::TwistStamped last;
   int count = 0;
@@ -455,7 +459,7 @@ before(async () => {
   const libraries = ['geometry_msgs', 'lifecycle_msgs', 'nav2_behaviors', 'nav2_core', 'nav2_lifecycle_manager', 'nav2_msgs', 'nav2_util', 'nav_msgs',
     'pluginlib', 'rclcpp', 'rclcpp_action', 'std_msgs', 'tf2_geometry_msgs', 'tf2_ros'];
   workspace.addPackage('house_moves', { base: wheeledBase, driver }, {
-    depends: [...libraries, 'nav2_common', 'nav2_controller'],
+    depends: [...libraries, 'nav2_common', 'nav2_controller', 'rclcpp_components'],
     cmake: `${[...libraries, 'nav2_common'].map((name) => `find_package(${name} REQUIRED)`).join('\n')}
 nav2_package()
 add_library(house_moves_plugins SHARED src/plugin.cpp)

@@ -102,6 +102,8 @@ def main():
         say(f'{what}: {navigator.getResult().name}')
         return distances, seconds
 
+    while navigator.count_subscribers('initialpose') < 1:
+        rclpy.spin_once(navigator, timeout_sec=0.1)
     navigator.setInitialPose(pose(navigator, *start))
     navigator.waitUntilNav2Active(localizer='bt_navigator')
 
@@ -146,7 +148,7 @@ let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
   const file = (path: string, content: string | Uint8Array): string => workspace.write(`src/house_lab/${path}`, content);
-  const needs = ['nav2_bringup', 'nav2_lifecycle_manager', 'nav2_loopback_sim', 'nav2_map_server', 'nav2_simple_commander', 'rclpy', 'tf2_ros'];
+  const needs = ['geometry_msgs', 'nav2_bringup', 'nav2_lifecycle_manager', 'nav2_loopback_sim', 'nav2_map_server', 'nav2_simple_commander', 'nav_msgs', 'rclpy', 'tf2_ros'];
   file('package.xml', `<?xml version="1.0"?>
 <package format="3">
   <name>house_lab</name>
@@ -168,6 +170,7 @@ setup(name='house_lab', version='1.0.0', packages=['house_lab'],
                   ('share/house_lab/launch', glob('launch/*')), ('share/house_lab/maps', glob('maps/*'))],
       entry_points={'console_scripts': ['tour = house_lab.tour:main']})
 `);
+  file('setup.cfg', '[develop]\nscript_dir=$base/lib/house_lab\n[install]\ninstall_scripts=$base/lib/house_lab\n');
   file('resource/house_lab', '');
   file('house_lab/__init__.py', '');
   file('house_lab/tour.py', tour);

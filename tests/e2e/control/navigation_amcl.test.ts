@@ -495,7 +495,7 @@ install(DIRECTORY launch maps params DESTINATION share/\${PROJECT_NAME})
   file('maps/corner.pgm', 'P2 3 2 255\n0 254 254\n0 0 254\n');
   file('maps/corner.yaml', mapFile('corner.pgm'));
   workspace.write('workspace.yaml', 'schema: 1\nname: room\npackages: [src/*]\nlaunch: src/room/launch/localization_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

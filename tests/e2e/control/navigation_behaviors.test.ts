@@ -477,7 +477,7 @@ install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
   file('launch/navigation_launch.py', launchFile);
   file('params/nav2_params.yaml', parameters);
   workspace.write('workspace.yaml', 'schema: 1\nname: moves\npackages: [src/*]\nlaunch: src/house_moves/launch/navigation_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

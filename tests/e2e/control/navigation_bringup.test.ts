@@ -148,7 +148,8 @@ let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
   const file = (path: string, content: string | Uint8Array): string => workspace.write(`src/house_lab/${path}`, content);
-  const needs = ['geometry_msgs', 'nav2_bringup', 'nav2_lifecycle_manager', 'nav2_loopback_sim', 'nav2_map_server', 'nav2_simple_commander', 'nav_msgs', 'rclpy', 'tf2_ros'];
+  const needs = ['geometry_msgs', 'nav2_bringup', 'nav2_lifecycle_manager', 'nav2_loopback_sim', 'nav2_map_server', 'nav2_simple_commander', 'nav_msgs',
+    'rclpy', 'tf2_ros'];
   file('package.xml', `<?xml version="1.0"?>
 <package format="3">
   <name>house_lab</name>
@@ -178,7 +179,7 @@ setup(name='house_lab', version='1.0.0', packages=['house_lab'],
   file('maps/room.pgm', room());
   file('maps/room.yaml', 'image: room.pgm\nresolution: 0.1\norigin: [-5.0, -5.0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n');
   workspace.write('workspace.yaml', 'schema: 1\nname: lab\npackages: [src/*]\nlaunch: src/house_lab/launch/lab.launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

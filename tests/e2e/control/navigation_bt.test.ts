@@ -477,7 +477,7 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
       <Say text="all behaviours"/>
     </Sequence>`));
   workspace.write('workspace.yaml', 'schema: 1\nname: tour\npackages: [src/*]\nlaunch: src/house_tour/launch/navigation_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

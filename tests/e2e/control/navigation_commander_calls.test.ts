@@ -314,7 +314,7 @@ before(async () => {
   file('maps/room.pgm', room());
   file('maps/room.yaml', 'image: room.pgm\nresolution: 0.05\norigin: [-2.5, -2.5, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n');
   workspace.write('workspace.yaml', 'schema: 1\nname: postman\npackages: [src/*]\nlaunch: src/postman/launch/navigation_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

@@ -193,7 +193,7 @@ install(DIRECTORY launch maps DESTINATION share/\${PROJECT_NAME})
   workspace.write('src/waiting_room/maps/room.yaml',
     'image: room.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n');
   workspace.write('workspace.yaml', 'schema: 1\nname: waiting\npackages: [src/*]\nlaunch: src/waiting_room/launch/bringup_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

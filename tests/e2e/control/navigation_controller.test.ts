@@ -336,7 +336,7 @@ install(DIRECTORY launch maps params DESTINATION share/\${PROJECT_NAME})
   file('maps/room.pgm', room());
   file('maps/room.yaml', roomYaml);
   workspace.write('workspace.yaml', 'schema: 1\nname: drive\npackages: [src/*]\nlaunch: src/house_drive/launch/navigation_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

@@ -449,7 +449,7 @@ install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
   workspace.write('src/guarded/launch/monitor_launch.py', launchFile);
   workspace.write('src/guarded/params/nav2_params.yaml', parameters);
   workspace.write('workspace.yaml', 'schema: 1\nname: guarded\npackages: [src/*]\nlaunch: src/guarded/launch/monitor_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

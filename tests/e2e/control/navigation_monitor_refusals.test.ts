@@ -172,7 +172,7 @@ install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
   workspace.write('src/refused/launch/monitor_launch.py', launchFile);
   workspace.write('src/refused/params/nav2_params.yaml', parameters);
   workspace.write('workspace.yaml', 'schema: 1\nname: refused\npackages: [src/*]\nlaunch: src/refused/launch/monitor_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

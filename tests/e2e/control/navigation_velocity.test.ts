@@ -288,7 +288,7 @@ install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
   workspace.write('src/gentle/launch/navigation_launch.py', launchFile);
   workspace.write('src/gentle/params/nav2_params.yaml', parameters);
   workspace.write('workspace.yaml', 'schema: 1\nname: gentle\npackages: [src/*]\nlaunch: src/gentle/launch/navigation_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

@@ -353,7 +353,7 @@ install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
   workspace.addPythonPackage('mail', { navigation, driver }, ['rclpy', 'nav2_msgs', 'geographic_msgs', 'geometry_msgs', 'robot_localization', 'rcl_interfaces',
     'sensor_msgs', 'std_msgs', 'mail_tasks']);
   workspace.write('workspace.yaml', 'schema: 1\nname: mail\npackages: [src/*]\nlaunch: src/mail_tasks/launch/navigation_launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 }, watchdog);
 after(() => workspace.close());

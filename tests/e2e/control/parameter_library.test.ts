@@ -172,7 +172,7 @@ test('a mistake in a YAML file stops the build with its line', watchdog, async (
     });
     own.write('src/wrong/src/wrong.yaml', 'wrong:\n  rate:\n    type: double\n    validation:\n      boundz<>: [1.0, 2.0]\n');
     own.write('workspace.yaml', 'schema: 1\nname: wrong\npackages: [src/*]\nlaunch: [{package: wrong, executable: node}]\n');
-    const { code, stderr } = await own.run(['pack']);
+    const { code, stderr } = await own.run(['pack', '--quick']);
     assert.equal(code, 1);
     assert.match(stderr, /src\/wrong\.yaml:5: error: `boundz`, the validation of rate, is not a known function\n.*fix: write `bounds<>`/);
   } finally {

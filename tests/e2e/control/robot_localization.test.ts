@@ -439,7 +439,7 @@ install(DIRECTORY launch config DESTINATION share/\${PROJECT_NAME})`,
   workspace.write('src/rover/config/localization.yaml', config);
   workspace.write('src/rover/launch/localization.launch.py', launchFile);
   workspace.write('workspace.yaml', 'schema: 1\nname: rover\npackages: [src/*]\nlaunch: src/rover/launch/localization.launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 });
 after(() => workspace.close());

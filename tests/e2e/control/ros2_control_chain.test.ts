@@ -151,7 +151,7 @@ install(PROGRAMS checker DESTINATION lib/\${PROJECT_NAME})\n`,
   workspace.write('src/chain/chain.launch.py', launch);
   workspace.write('src/chain/checker', `#!/usr/bin/env python3${checker}`);
   workspace.write('workspace.yaml', 'schema: 1\nname: chain\npackages: [src/*]\nlaunch: src/chain/chain.launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stdout + packed.stderr);
 }, watchdog);
 after(() => workspace.close());

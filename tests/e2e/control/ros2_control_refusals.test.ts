@@ -160,7 +160,7 @@ install(PROGRAMS checker DESTINATION lib/\${PROJECT_NAME})\n`,
   <node pkg="wary" exec="checker"/>
 </launch>\n`);
   workspace.write('workspace.yaml', 'schema: 1\nname: wary\npackages: [src/*]\nlaunch: src/wary/wary.launch.xml\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stdout + packed.stderr);
 }, watchdog);
 after(() => workspace.close());

@@ -451,7 +451,7 @@ install(DIRECTORY config launch DESTINATION share/\${PROJECT_NAME})
   workspace.write('src/bench/config/controllers.yaml', config);
   workspace.write('src/bench/launch/bench.launch.py', launchFile);
   workspace.write('workspace.yaml', 'schema: 1\nname: bench\npackages: [src/*]\nlaunch: src/bench/launch/bench.launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
 });
 after(() => workspace.close());

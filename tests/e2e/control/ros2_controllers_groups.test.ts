@@ -192,7 +192,7 @@ install(PROGRAMS checker DESTINATION lib/\${PROJECT_NAME})\n`,
   workspace.write('src/bench/bench.launch.py', launch);
   workspace.write('src/bench/checker', `#!/usr/bin/env python3${checker}`);
   workspace.write('workspace.yaml', 'schema: 1\nname: bench\npackages: [src/*]\nlaunch: src/bench/bench.launch.py\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stdout + packed.stderr);
 }, watchdog);
 after(() => workspace.close());

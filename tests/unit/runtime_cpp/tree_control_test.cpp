@@ -19,7 +19,7 @@ constexpr NodeStatus kNo = NodeStatus::FAILURE;
 constexpr NodeStatus kRuns = NodeStatus::RUNNING;
 constexpr NodeStatus kSkipped = NodeStatus::SKIPPED;
 
-/// What the leaves of a tree answer, and which of them were ticked or halted.
+/// Answers of the leaves of a tree, and the leaves that were ticked or halted.
 struct Script {
   std::map<std::string, Answers> answers;  ///< the last one lasts
   std::string log;

@@ -1,5 +1,5 @@
 // Nav2 as a whole: bt_navigator leads planner, controller and behaviours by its default trees and by trees of the workspace. Goals by
-// action and by topic, through poses, changed, cancelled, and out of reach; every node of a tree, and nodes and navigators of the workspace.
+// action and by topic, through poses, changed, cancelled, and out of reach; nodes of all kinds, and nodes and navigators of the workspace.
 
 // Compatibility, works: Nav2's `bt_navigator` with `navigate_to_pose`, `navigate_through_poses` and `goal_pose`, its default trees, the nodes of
 // `nav2_behavior_tree`, and trees, nodes (`plugin_lib_names`) and navigators of the workspace
@@ -24,12 +24,13 @@ from launch_ros.actions import Node
 def generate_launch_description():
     share = get_package_share_directory('house_tour')
     params = os.path.join(share, 'params', 'nav2_params.yaml')
-    lifecycle_nodes = ['map_server', 'controller_server', 'planner_server', 'behavior_server', 'bt_navigator']
+    lifecycle_nodes = ['map_server', 'controller_server', 'planner_server', 'smoother_server', 'behavior_server', 'bt_navigator']
     return LaunchDescription([
         Node(package='nav2_map_server', executable='map_server', output='screen',
              parameters=[params, {'yaml_filename': os.path.join(share, 'maps', 'room.yaml')}]),
         Node(package='nav2_controller', executable='controller_server', output='screen', parameters=[params]),
         Node(package='nav2_planner', executable='planner_server', name='planner_server', output='screen', parameters=[params]),
+        Node(package='nav2_smoother', executable='smoother_server', name='smoother_server', output='screen', parameters=[params]),
         Node(package='nav2_behaviors', executable='behavior_server', name='behavior_server', output='screen', parameters=[params]),
         Node(package='nav2_bt_navigator', executable='bt_navigator', name='bt_navigator', output='screen', parameters=[params]),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation', output='screen',
@@ -64,6 +65,7 @@ controller_server:
     controller_plugins: ["FollowPath"]
     progress_checker:
       plugin: "nav2_controller::SimpleProgressChecker"
+      movement_time_allowance: 2.0
     goal_checker:
       plugin: "nav2_controller::SimpleGoalChecker"
     FollowPath:
@@ -77,6 +79,11 @@ planner_server:
     GridBased:
       plugin: "nav2_navfn_planner::NavfnPlanner"
       tolerance: 0.0
+smoother_server:
+  ros__parameters:
+    smoother_plugins: ["simple"]
+    simple:
+      plugin: "nav2_smoother::SimpleSmoother"
 behavior_server:
   ros__parameters:
     local_costmap_topic: local_costmap/costmap_raw
@@ -182,16 +189,24 @@ const tree = (body: string): string =>
 const driver = `
 #include <cmath>
 
+#include <filesystem>
+
+#include "ament_index_cpp/get_package_share_directory.hpp"
 #include "geometry_msgs/msg/twist.hpp"
+#include "nav2_behavior_tree/behavior_tree_engine.hpp"
+#include "nav2_behavior_tree/plugins_list.hpp"
 #include "nav2_msgs/action/dummy_behavior.hpp"
 #include "nav2_msgs/action/navigate_through_poses.hpp"
 #include "nav2_msgs/action/navigate_to_pose.hpp"
 #include "nav2_msgs/msg/behavior_tree_log.hpp"
 #include "nav2_util/geometry_utils.hpp"
+#include "nav2_util/string_utils.hpp"
 #include "nav_msgs/msg/odometry.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
 #include "sensor_msgs/msg/battery_state.hpp"
+#include "std_msgs/msg/bool.hpp"
+#include "std_srvs/srv/empty.hpp"
 #include "std_srvs/srv/trigger.hpp"
 #include "tf2/utils.h"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
@@ -296,6 +311,10 @@ int main(int argc, char** argv) {
     answer->success = true;
     answer->message = "dong";
   });
+  int reinitialized = 0;
+  const auto reinitialize = node->create_service<std_srvs::srv::Empty>("reinitialize_global_localization",
+    [&](const std_srvs::srv::Empty::Request::SharedPtr, std_srvs::srv::Empty::Response::SharedPtr) { ++reinitialized; });
+  const auto brakes = node->create_publisher<std_msgs::msg::Bool>("brake", 1);
   const auto batteries = node->create_publisher<sensor_msgs::msg::BatteryState>("/battery_status", rclcpp::QoS(10));
   const auto goals = node->create_publisher<PoseStamped>("goal_pose", 10);
   sensor_msgs::msg::BatteryState battery;
@@ -353,8 +372,46 @@ int main(int argc, char** argv) {
   navigator.work("tree without a server", to(1.0, 1.0, 0, "absent.xml"));
   navigator.work("every condition", to(-2.0, 1.0, 0, "conditions.xml"));
   navigator.work("paths", to(-2.0, -1.0, 0, "paths.xml"));
+  pass(200ms);
+  const double yaw = tf2::getYaw(odometry.pose.pose.orientation);
   navigator.work("behaviours", to(-2.0, 1.0, 0, "behaviours.xml"));
-  say("turned back and ahead %d", std::abs(std::remainder(tf2::getYaw(odometry.pose.pose.orientation), 2 * M_PI)) < 3.2);
+  pass(200ms);
+  const double turned = std::remainder(tf2::getYaw(odometry.pose.pose.orientation) - yaw, 2 * M_PI);
+  say("turned by half a radian %d, reinitialized %d", std::abs(turned - 0.5) < 0.15, reinitialized);
+  Through::Goal nested;
+  nested.poses = {pose(1.0, 1.0)};
+  nested.behavior_tree = trees + "/nested.xml";
+  through.work("a navigation within another one", nested);
+
+  // Held, the robot makes no progress: the tree recovers until it is free again.
+  std_msgs::msg::Bool brake;
+  brake.data = true;
+  brakes->publish(brake);
+  handle = navigator.send(to(-2.0, 1.0));
+  pass(5s);
+  brake.data = false;
+  brakes->publish(brake);
+  navigator.end("held for a while", handle);
+  say("recovered %d", navigator.recoveries > 0);
+
+  int loaded = 0;
+  for (const auto& file : std::filesystem::directory_iterator(ament_index_cpp::get_package_share_directory("nav2_bt_navigator") + "/behavior_trees")) {
+    const bool takes_poses = file.path().string().find("through_poses") != std::string::npos;
+    ToPose::Goal one = to(-1.0, 1.0);
+    one.behavior_tree = file.path();
+    if (takes_poses) continue;
+    handle = navigator.send(one);
+    pass(200ms);
+    wait(navigator.client->async_cancel_goal(handle));
+    loaded += wait(navigator.client->async_get_result(handle)).code == rclcpp_action::ResultCode::CANCELED;
+  }
+  say("trees %d", loaded);
+
+  // An own program has the nodes of Nav2, too.
+  nav2_behavior_tree::BehaviorTreeEngine engine(nav2_util::split(nav2::details::BT_BUILTIN_PLUGINS, ';'), node);
+  BT::Tree own = engine.createTreeFromText(
+    "<root BTCPP_format='4'><BehaviorTree ID='T'><RateController hz='10'><AlwaysSuccess/></RateController></BehaviorTree></root>", BT::Blackboard::create());
+  say("own tree %d", engine.run(&own, [] {}, [] { return false; }) == nav2_behavior_tree::BtStatus::SUCCEEDED);
   Tour::Goal words;
   words.command.data = "hello";
   tour.work("a tour", words);
@@ -371,7 +428,8 @@ before(async () => {
   const libraries = ['ament_index_cpp', 'behaviortree_cpp', 'geometry_msgs', 'nav2_behavior_tree', 'nav2_core', 'nav2_msgs', 'nav2_util', 'nav_msgs',
     'pluginlib', 'rclcpp', 'rclcpp_action', 'sensor_msgs', 'std_msgs', 'std_srvs', 'tf2_geometry_msgs', 'tf2_ros'];
   workspace.addPackage('house_tour', { base, driver }, {
-    depends: [...libraries, 'nav2_behaviors', 'nav2_bt_navigator', 'nav2_controller', 'nav2_lifecycle_manager', 'nav2_map_server', 'nav2_planner'],
+    depends: [...libraries, 'nav2_behaviors', 'nav2_bt_navigator', 'nav2_controller', 'nav2_lifecycle_manager', 'nav2_map_server', 'nav2_planner',
+      'nav2_smoother'],
     cmake: `${libraries.map((name) => `find_package(${name} REQUIRED)`).join('\n')}
 add_library(house_tour_nodes SHARED src/nodes.cpp)
 ament_target_dependencies(house_tour_nodes behaviortree_cpp nav2_behavior_tree rclcpp std_srvs)
@@ -380,7 +438,8 @@ add_library(house_tour_navigator SHARED src/navigator.cpp)
 ament_target_dependencies(house_tour_navigator ament_index_cpp nav2_behavior_tree nav2_core nav2_msgs pluginlib)
 pluginlib_export_plugin_description_file(nav2_core navigators.xml)
 ament_target_dependencies(base geometry_msgs nav2_util nav_msgs rclcpp std_msgs tf2_ros)
-ament_target_dependencies(driver geometry_msgs nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action sensor_msgs std_srvs tf2_geometry_msgs)
+ament_target_dependencies(driver ament_index_cpp geometry_msgs nav2_behavior_tree nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action sensor_msgs std_msgs
+  std_srvs tf2_geometry_msgs)
 install(TARGETS house_tour_nodes house_tour_navigator DESTINATION lib)
 install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
 `,
@@ -403,9 +462,11 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
       <Inverter><ArePosesNear ref_pose="{here}" target_pose="0;map;2.0;1.0;0;0;0;0;1"/></Inverter>
       <ArePosesNear ref_pose="{here}" target_pose="0;odom;-0.025;2.975;0;0;0;0;1" tolerance="0.6"/>
       <Inverter><GoalReached goal="0;map;2.0;1.0;0;0;0;0;1"/></Inverter>
+      <GoalReached goal="{here}"/>
       <TransformAvailable child="base_link" parent="map"/>
       <Inverter><TransformAvailable child="base_link" parent="nowhere"/></Inverter>
       <Inverter><InitialPoseReceived/></Inverter>
+      <InitialPoseReceived initial_pose_received="true"/>
       <GlobalUpdatedGoal/>
       <RetryUntilSuccessful num_attempts="200">
         <Delay delay_msec="10"><Sequence><IsBatteryCharging/><IsBatteryLow min_battery="0.2"/></Sequence></Delay>
@@ -416,6 +477,8 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
       <Inverter><WouldAControllerRecoveryHelp error_code="{code}"/></Inverter>
       <Inverter><WouldASmootherRecoveryHelp error_code="{code}"/></Inverter>
       <AreErrorCodesPresent error_code="{code}" error_codes_to_check="1;207"/>
+      <WouldAControllerRecoveryHelp error_code="105"/>
+      <WouldASmootherRecoveryHelp error_code="500"/>
       <Inverter><TimeExpired seconds="0.3"/></Inverter>
       <Inverter><DistanceTraveled distance="0.3"/></Inverter>
       <RetryUntilSuccessful num_attempts="200">
@@ -436,6 +499,9 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
       <GetPoseFromPath path="{around}" index="-1" pose="{end}"/>
       <GetCurrentPose current_pose="{here}"/>
       <ArePosesNear ref_pose="{end}" target_pose="{here}" tolerance="0.45"/>
+      <SmoothPath unsmoothed_path="{path}" smoother_id="simple" smoothed_path="{smooth}" was_completed="{done}"/>
+      <GetPoseFromPath path="{smooth}" index="0" pose="{end}"/>
+      <ArePosesNear ref_pose="{end}" target_pose="{here}" tolerance="0.45"/>
       <ConcatenatePaths input_path1="{around}" input_path2="{path}" output_path="{both}"/>
       <GetPoseFromPath path="{both}" index="-1" pose="{end}"/>
       <ArePosesNear ref_pose="{end}" target_pose="{goal}" tolerance="0.1"/>
@@ -455,6 +521,8 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
       <ClearEntireCostmap service_name="local_costmap/clear_entirely_local_costmap"/>
       <ClearCostmapExceptRegion service_name="local_costmap/clear_except_local_costmap"/>
       <ClearCostmapAroundRobot service_name="local_costmap/clear_around_local_costmap" reset_distance="0.5"/>
+      <ClearCostmapAroundPose service_name="local_costmap/clear_around_pose_local_costmap" pose="{goal}" reset_distance="0.5"/>
+      <ReinitializeGlobalLocalization service_name="reinitialize_global_localization"/>
       <Say text="all paths"/>
     </Sequence>`));
   file('trees/behaviours.xml', tree(`
@@ -476,6 +544,7 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
       <AssistedTeleop time_allowance="0.5"/>
       <Say text="all behaviours"/>
     </Sequence>`));
+  file('trees/nested.xml', tree('    <Inverter><NavigateToPose goal="0;map;1.0;1.0;0;0;0;0;1" error_code_id="{code}"/></Inverter>'));
   workspace.write('workspace.yaml', 'schema: 1\nname: tour\npackages: [src/*]\nlaunch: src/house_tour/launch/navigation_launch.py\n');
   const packed = await workspace.run(['pack', '--quick']);
   assert.equal(packed.code, 0, packed.stderr);
@@ -483,7 +552,7 @@ install(DIRECTORY launch maps params trees DESTINATION share/\${PROJECT_NAME})
 after(() => workspace.close());
 
 for (const link of played('shared')) {
-  test(`${link}: trees lead a robot to goals, and every node of them runs`, watchdog, async () => {
+  test(`${link}: trees lead a robot to goals, and their nodes run`, watchdog, async () => {
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '180s', '--until', 'driver is over']);
     const output = run.stdout + run.stderr;
     assert.equal(run.code, 0, output);
@@ -510,7 +579,12 @@ for (const link of played('shared')) {
       'every condition: code 4 error 0',
       'paths: code 4 error 0',
       'behaviours: code 4 error 0',
-      'turned back and ahead 1',
+      'turned by half a radian 1, reinitialized 1',
+      'a navigation within another one: code 4 error 0',
+      'held for a while: code 4 error 0',
+      'recovered 1',
+      'trees 11',
+      'own tree 1',
       'a tour: code 4 error 0',
       'a tour of nothing: code 6 error 0',
       'driver is over',
@@ -523,6 +597,7 @@ for (const link of played('shared')) {
         'Goal failed',
         'Received goal preemption request',
         'Requested navigation from tour while another navigator is processing, rejecting request.',
+        'Requested navigation from navigate_to_pose while another navigator is processing, rejecting request.',
         "Failed to transform a goal pose provided with frame_id 'nowhere' to the global frame 'map'.",
       ]
     ) assert.ok(server.includes(line), `bt_navigator does not say: ${line}\n${output}`);

@@ -2,6 +2,8 @@
 // answer.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -113,6 +115,24 @@ TEST_F(TreeControl, HaltsTheChildThatRuns) {
   tree_.haltTree();
   EXPECT_EQ(script_.log, "-B");
   EXPECT_EQ(tick(), Answer(kRuns, "AB"));
+}
+
+TEST_F(TreeControl, RefusesTreesWithoutEnd) {
+  std::string doubling;
+  for (int i = 0; i < 30; ++i) {
+    const std::string used = "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>";
+    doubling += "<BehaviorTree ID=\"T" + std::to_string(i) + "\"><Sequence>" + used + used +
+                "</Sequence></BehaviorTree>";
+  }
+  const std::string text = "<root BTCPP_format=\"4\" main_tree_to_execute=\"T0\">" + doubling +
+                           "<BehaviorTree ID=\"T30\"><A/></BehaviorTree></root>";
+  EXPECT_THROW((void)factory_.createTreeFromText(text), BT::RuntimeError);
+
+  const std::string path = testing::TempDir() + "includes_itself.xml";
+  std::ofstream(path)
+      << "<root BTCPP_format=\"4\"><include path=\"./includes_itself.xml\"/></root>";
+  EXPECT_THROW((void)factory_.createTreeFromFile(path), BT::RuntimeError);
+  std::remove(path.c_str());
 }
 
 TEST_F(TreeControl, TakesTheNextChildEachTime) {

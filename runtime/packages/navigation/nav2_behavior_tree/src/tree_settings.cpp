@@ -37,10 +37,8 @@ void declare_error_codes(rclcpp_lifecycle::LifecycleNode& node) {
   node.set_parameter({"error_code_names", names});
 }
 
-milliseconds positive_duration(const rclcpp_lifecycle::LifecycleNode& node, const char* name) {
-  const int64_t value = node.get_parameter(name).as_int();
-  if (value > 0) return milliseconds(value);
-  throw std::invalid_argument(std::string(name) + " is not a positive number of milliseconds");
+milliseconds duration(const rclcpp_lifecycle::LifecycleNode& node, const char* name) {
+  return milliseconds(node.get_parameter(name).as_int());
 }
 
 }  // namespace
@@ -60,10 +58,13 @@ void declare_tree_parameters(rclcpp_lifecycle::LifecycleNode& node) {
 
 TreeSettings read_tree_settings(const rclcpp_lifecycle::LifecycleNode& node) {
   TreeSettings result;
-  result.loop_duration = positive_duration(node, "bt_loop_duration");
-  result.server_timeout = positive_duration(node, "default_server_timeout");
-  result.cancel_timeout = positive_duration(node, "default_cancel_timeout");
-  result.wait_for_service_timeout = positive_duration(node, "wait_for_service_timeout");
+  result.loop_duration = duration(node, "bt_loop_duration");
+  if (result.loop_duration <= milliseconds(0)) {
+    throw std::invalid_argument("bt_loop_duration is not a positive number of milliseconds");
+  }
+  result.server_timeout = duration(node, "default_server_timeout");
+  result.cancel_timeout = duration(node, "default_cancel_timeout");
+  result.wait_for_service_timeout = duration(node, "wait_for_service_timeout");
   result.always_reload = node.get_parameter("always_reload_bt_xml").as_bool();
   const double seconds = node.get_parameter("action_server_result_timeout").as_double();
   result.result_timeout =

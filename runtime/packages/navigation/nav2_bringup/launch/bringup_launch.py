@@ -11,7 +11,7 @@ from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import LaunchConfiguration, PythonExpression
 from launch_ros.actions import Node, PushROSNamespace
 from launch_ros.descriptions import ParameterFile
-from nav2_common.launch import RewrittenYaml
+from nav2_common.launch import ReplaceString, RewrittenYaml
 
 
 def generate_launch_description():
@@ -38,8 +38,13 @@ def generate_launch_description():
     shared = {name: LaunchConfiguration(name) for name in
               ('namespace', 'use_sim_time', 'autostart', 'params_file', 'use_composition', 'use_respawn', 'log_level')}
     shared['container_name'] = 'nav2_container'
+    # One file serves several robots.
+    params_file = ReplaceString(source_file=LaunchConfiguration('params_file'),
+                                replacements={'<robot_namespace>': ('/', namespace)},
+                                condition=IfCondition(LaunchConfiguration('use_namespace')))
+    shared['params_file'] = params_file
     parameters = ParameterFile(
-        RewrittenYaml(source_file=LaunchConfiguration('params_file'), root_key=namespace, param_rewrites={},
+        RewrittenYaml(source_file=params_file, root_key=namespace, param_rewrites={},
                       convert_types=True),
         allow_substs=True)
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lifecycle_msgs/msg/state.hpp"
 #include "nav2_behavior_tree/plugins_list.hpp"
 #include "nav2_util/node_utils.hpp"
 #include "nav2_util/string_utils.hpp"
@@ -29,6 +30,11 @@ BtNavigator::BtNavigator(rclcpp::NodeOptions options)
   declare("global_frame", ParameterValue(std::string("map")));
   declare("robot_base_frame", ParameterValue(std::string("base_link")));
   declare("odom_topic", ParameterValue(std::string("odom")));
+}
+
+BtNavigator::~BtNavigator() {
+  if (get_current_state().id() != lifecycle_msgs::msg::State::PRIMARY_STATE_ACTIVE) return;
+  for (const auto& navigator : navigators_) navigator->on_deactivate();
 }
 
 CallbackReturn BtNavigator::on_configure(const rclcpp_lifecycle::State& state) {

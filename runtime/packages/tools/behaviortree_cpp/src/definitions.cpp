@@ -10,7 +10,9 @@ namespace {
 using ros2wasm_xml::XmlDocument;
 using ros2wasm_xml::XmlElement;
 
-constexpr int kDeepest = 200;  ///< nodes within nodes and trees within trees
+constexpr int kDeepest = 200;          ///< nodes within nodes and trees within trees
+constexpr size_t kMostNodes = 10'000;  ///< a tree may be used many times within another one
+constexpr int kMostOpenFiles = 20;
 
 bool says_yes(const XmlElement& element, const char* attribute) {
   const std::string* value = element.attribute(attribute);
@@ -76,6 +78,9 @@ class Builder {
   TreeNode* node(const XmlElement& element, const Place& place, const std::string& path,
                  int depth) {
     if (depth > kDeepest) throw RuntimeError("the tree is too deep, or is a part of itself");
+    if (tree_.nodes.size() >= kMostNodes) {
+      throw RuntimeError("the tree has more than " + std::to_string(kMostNodes) + " nodes");
+    }
     const std::string& ID = is_kind(element.name) ? id_of(element) : element.name;
     const auto manifest = tree_.manifests.find(ID);
     if (manifest == tree_.manifests.end()) throw RuntimeError("Node not recognized: " + ID);
@@ -201,11 +206,22 @@ void BehaviorTreeFactory::Definitions::load(const std::string& text, const std::
 }
 
 void BehaviorTreeFactory::Definitions::load_file(const std::string& path) {
+  if (files_open >= kMostOpenFiles) {
+    throw RuntimeError("more than " + std::to_string(kMostOpenFiles) +
+                       " files include one another, or one includes itself: " + path);
+  }
   std::ifstream file(path);
   if (!file) throw RuntimeError("The file cannot be read: " + path);
   std::ostringstream text;
   text << file.rdbuf();
-  load(text.str(), path.substr(0, path.find_last_of('/') + 1));
+  ++files_open;
+  try {
+    load(text.str(), path.substr(0, path.find_last_of('/') + 1));
+  } catch (...) {
+    --files_open;
+    throw;
+  }
+  --files_open;
 }
 
 std::vector<std::string> BehaviorTreeFactory::Definitions::names() const {

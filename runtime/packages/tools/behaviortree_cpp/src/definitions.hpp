@@ -26,6 +26,7 @@ struct BehaviorTreeFactory::Definitions {
   /// Files that it includes are looked for in `folder`. Throws RuntimeError.
   void load(const std::string& text, const std::string& folder);
   void load_file(const std::string& path);
+  int files_open = 0;  ///< each includes the next one
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] Tree tree(const BehaviorTreeFactory& factory, const std::string& name,
                           Blackboard::Ptr blackboard) const;

@@ -50,6 +50,7 @@ const Any* Blackboard::getAny(const std::string& key) const {
 }
 
 void Blackboard::put(const std::string& key, Any value) {
+  const Lock lock = locked();
   if (const std::string* above = name_above(key)) {
     parent_->put(*above, std::move(value));
   } else {
@@ -58,16 +59,24 @@ void Blackboard::put(const std::string& key, Any value) {
 }
 
 void Blackboard::unset(const std::string& key) {
+  const Lock lock = locked();
   values_.erase(key);
 }
 
+void Blackboard::clear() {
+  const Lock lock = locked();
+  values_.clear();
+}
+
 std::vector<StringView> Blackboard::getKeys() const {
+  const Lock lock = locked();
   std::vector<StringView> keys;
   for (const auto& [key, value] : values_) keys.emplace_back(key);
   return keys;
 }
 
 void Blackboard::debugMessage() const {
+  const Lock lock = locked();
   for (const auto& [key, value] : values_) {
     std::cout << key << " (" << (value.empty() ? "empty" : demangle(value.type())) << ")\n";
   }
@@ -149,6 +158,8 @@ Expected<Any> TreeNode::input(const std::string& key) const {
   if (text != "=" && !isBlackboardPointer(text)) return value;
   const std::string entry(text == "=" || text == "{=}" ? StringView(key)
                                                        : stripBlackboardPointer(text));
+  Blackboard::Lock lock;
+  if (config_.blackboard) lock = config_.blackboard->locked();
   const Any* found = config_.blackboard ? config_.blackboard->getAny(entry) : nullptr;
   if (found == nullptr || found->empty()) {
     return nonstd::make_unexpected("getInput() failed because it was unable to find the key [" +

@@ -90,6 +90,7 @@ class BtActionNode : public detail::ClientLeaf {
 
   /// Cancels the goal when it runs.
   void halt() override {
+    take_late_goal_handle();
     if (should_cancel_goal()) {
       const auto future_result = action_client_->async_get_result(goal_handle_);
       const auto future_cancel = action_client_->async_cancel_goal(goal_handle_);
@@ -181,6 +182,15 @@ class BtActionNode : public detail::ClientLeaf {
                 action_name_.c_str());
     future_goal_handle_.reset();
     return BT::NodeStatus::FAILURE;
+  }
+
+  /// A goal that the server has not answered yet would go on when it is not cancelled, too.
+  void take_late_goal_handle() {
+    if (!future_goal_handle_ || status() != BT::NodeStatus::RUNNING) return;
+    if (is_ready_within(*future_goal_handle_, server_timeout_)) {
+      goal_handle_ = future_goal_handle_->get();
+    }
+    future_goal_handle_.reset();
   }
 
   bool is_goal_live() const {

@@ -175,8 +175,13 @@ class BtActionServer {
       topic_logger_->flush();
       on_loop_callback_();
     };
-    const BtStatus status = bt_->run(&tree_, on_loop, is_canceling, settings_.loop_duration);
-    bt_->haltAllActions(tree_);
+    BtStatus status = bt_->run(&tree_, on_loop, is_canceling, settings_.loop_duration);
+    try {
+      bt_->haltAllActions(tree_);
+    } catch (const std::exception& error) {
+      RCLCPP_ERROR(logger_, "Behavior tree threw exception while it was halted: %s", error.what());
+      status = BtStatus::FAILED;
+    }
     topic_logger_->flush();
     auto result = std::make_shared<typename ActionT::Result>();
     populateErrorCode(result);

@@ -164,13 +164,12 @@ class InitialPoseReceived : public ConditionNode {
 /// Once for each so many seconds.
 class TimeExpired : public ConditionNode {
  public:
-  TimeExpired(const std::string& name, const BT::NodeConfiguration& conf)
-      : ConditionNode(name, conf), node_(ros_node_of(*this)) {}
+  using ConditionNode::ConditionNode;
 
   static BT::PortsList providedPorts() { return {InputPort<double>("seconds", 1.0, "Seconds")}; }
 
   NodeStatus tick() override {
-    const rclcpp::Time now = node_->now();
+    const rclcpp::Time now = ros_node_of(*this)->now();
     if (BT::isStatusActive(status())) {
       if ((now - start_).seconds() < number(*this, "seconds")) return NodeStatus::FAILURE;
       start_ = now;
@@ -181,7 +180,6 @@ class TimeExpired : public ConditionNode {
   }
 
  private:
-  rclcpp::Node::SharedPtr node_;
   rclcpp::Time start_;
 };
 

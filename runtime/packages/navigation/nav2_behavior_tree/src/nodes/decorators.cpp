@@ -1,6 +1,7 @@
 // Nodes that tick their child less often, or with another goal.
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,16 +32,17 @@ class Throttle : public DecoratorNode {
     if (is_new && !begin()) return NodeStatus::FAILURE;
     if (is_new) is_first_ = true;
     setStatus(NodeStatus::RUNNING);
-    const bool due = is_due();
-    if (!is_first_ && child_node_->status() != NodeStatus::RUNNING && !due) return status();
+    const std::optional<bool> due = is_due();
+    if (!due) return NodeStatus::FAILURE;
+    if (!is_first_ && child_node_->status() != NodeStatus::RUNNING && !*due) return status();
     is_first_ = false;
     const NodeStatus answer = child_node_->executeTick();
     return answer == NodeStatus::SUCCESS && !end() ? NodeStatus::FAILURE : answer;
   }
 
-  // False is a failure.
+  // False, or nothing, is a failure.
   virtual bool begin() = 0;
-  virtual bool is_due() = 0;
+  virtual std::optional<bool> is_due() = 0;
   virtual bool end() { return true; }  ///< after the child's success
 
   bool is_first_ = true;
@@ -62,10 +64,12 @@ class RateController : public Throttle {
   using Clock = std::chrono::steady_clock;
 
   bool begin() override {
-    period_ = std::chrono::duration<double>(1.0 / number(*this, "hz"));
+    double rate = 1.0;
+    getInput("hz", rate);
+    period_ = std::chrono::duration<double>(1.0 / rate);
     return end();
   }
-  bool is_due() override { return Clock::now() - start_ >= period_; }
+  std::optional<bool> is_due() override { return Clock::now() - start_ >= period_; }
   bool end() override {
     start_ = Clock::now();
     return true;
@@ -87,10 +91,10 @@ class DistanceController : public Throttle {
 
  private:
   bool begin() override { return robot_.find_or_note(start_); }
-  bool is_due() override {
+  std::optional<bool> is_due() override {
     PoseStamped pose;
-    return robot_.find_or_note(pose) &&
-           nav2_util::geometry_utils::euclidean_distance(start_, pose) >= number(*this, "distance");
+    if (!robot_.find_or_note(pose)) return std::nullopt;
+    return nav2_util::geometry_utils::euclidean_distance(start_, pose) >= number(*this, "distance");
   }
   bool end() override { return robot_.find_or_note(start_); }
 
@@ -128,7 +132,7 @@ class SpeedController : public Throttle {
     return true;
   }
 
-  bool is_due() override {
+  std::optional<bool> is_due() override {
     const bool is_new_goal = goal_.has_changed();
     if (is_new_goal) restart();
     const rclcpp::Time now = node_->now();
@@ -170,7 +174,7 @@ class GoalUpdatedController : public Throttle {
     goal_.take();
     return true;
   }
-  bool is_due() override { return goal_.has_changed(); }
+  std::optional<bool> is_due() override { return goal_.has_changed(); }
 
   GoalWatch goal_;
 };

@@ -20,10 +20,7 @@ using sensor_msgs::msg::BatteryState;
 /// By the last message of the battery.
 class BatteryCondition : public ConditionNode {
  public:
-  BatteryCondition(const std::string& name, const BT::NodeConfiguration& conf)
-      : ConditionNode(name, conf),
-        topic_(ros_node_of(*this), topic_name(*this), rclcpp::SystemDefaultsQoS(),
-               [this](const BatteryState& state) { is_so_ = judge(state); }) {}
+  using ConditionNode::ConditionNode;
 
   static BT::PortsList ports(BT::PortsList more) {
     more.insert(InputPort<std::string>("battery_topic", "/battery_status", "Topic of the battery"));
@@ -31,26 +28,32 @@ class BatteryCondition : public ConditionNode {
   }
 
   NodeStatus tick() override {
-    topic_.receive();
+    if (!topic_) subscribe();
+    topic_->receive();
     return is_so_ ? NodeStatus::SUCCESS : NodeStatus::FAILURE;
+  }
+
+ protected:
+  void subscribe() {
+    std::string name = "/battery_status";
+    getInput("battery_topic", name);
+    topic_.emplace(ros_node_of(*this), name, rclcpp::SystemDefaultsQoS(),
+                   [this](const BatteryState& state) { is_so_ = judge(state); });
   }
 
  private:
   virtual bool judge(const BatteryState& state) const = 0;
 
-  static std::string topic_name(const BT::TreeNode& node) {
-    std::string name;
-    node.getInput("battery_topic", name);
-    return name;
-  }
-
   bool is_so_ = false;
-  TreeTopic<BatteryState> topic_;
+  std::optional<TreeTopic<BatteryState>> topic_;
 };
 
 class IsBatteryCharging : public BatteryCondition {
  public:
-  using BatteryCondition::BatteryCondition;
+  IsBatteryCharging(const std::string& name, const BT::NodeConfiguration& conf)
+      : BatteryCondition(name, conf) {
+    subscribe();
+  }
   static BT::PortsList providedPorts() { return ports({}); }
 
  private:

@@ -18,7 +18,8 @@ namespace nav2_bt_navigator {
 class BtNavigator : public nav2_util::LifecycleNode {
  public:
   explicit BtNavigator(rclcpp::NodeOptions options = rclcpp::NodeOptions());
-  ~BtNavigator() override = default;
+  /// Ends the goals of a node that is active.
+  ~BtNavigator() override;
 
  protected:
   nav2_util::CallbackReturn on_configure(const rclcpp_lifecycle::State& state) override;

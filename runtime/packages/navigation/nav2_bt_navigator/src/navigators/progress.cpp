@@ -27,6 +27,17 @@ double length_ahead(const nav_msgs::msg::Path& path, const PoseStamped& robot) {
   return nav2_util::geometry_utils::calculate_path_length(path, closest);
 }
 
+double length_of_entry(const BT::Blackboard& blackboard, const std::string& path_id,
+                       const PoseStamped& robot) {
+  nav_msgs::msg::Path path;
+  try {
+    if (blackboard.get(path_id, path) && !path.poses.empty()) return length_ahead(path, robot);
+  } catch (const std::exception&) {
+    // A tree may use the name for something else.
+  }
+  return 0.0;
+}
+
 bool to_global_frame(const nav2_core::FeedbackUtils& utils, const rclcpp::Logger& logger,
                      PoseStamped& goal) {
   const std::string frame = goal.header.frame_id;

@@ -23,6 +23,10 @@ std::string tree_file(rclcpp_lifecycle::LifecycleNode& node, const std::string& 
 /// Along the path, from the pose that is closest to the robot [m].
 double length_ahead(const nav_msgs::msg::Path& path, const geometry_msgs::msg::PoseStamped& robot);
 
+/// The same of the blackboard's path; 0 when it has none.
+double length_of_entry(const BT::Blackboard& blackboard, const std::string& path_id,
+                       const geometry_msgs::msg::PoseStamped& robot);
+
 inline bool find_robot(const nav2_core::FeedbackUtils& utils,
                        geometry_msgs::msg::PoseStamped& pose) {
   return nav2_util::getCurrentPose(pose, *utils.tf, utils.global_frame, utils.robot_frame,
@@ -60,9 +64,7 @@ template <typename FeedbackT>
 void fill_feedback(FeedbackT& feedback, const BT::Blackboard& blackboard,
                    const std::string& path_id, const geometry_msgs::msg::PoseStamped& robot,
                    nav2_util::OdomSmoother& odometry) {
-  nav_msgs::msg::Path path;
-  if (blackboard.get(path_id, path) && !path.poses.empty()) {
-    const double length = length_ahead(path, robot);
+  if (const double length = length_of_entry(blackboard, path_id, robot); length > 0.0) {
     const auto twist = odometry.getTwist();
     const double speed = std::hypot(twist.linear.x, twist.linear.y);
     feedback.distance_remaining = static_cast<float>(length);

@@ -1,7 +1,9 @@
-// Values by name, which nodes share; of a subtree, some names may stand for those of its parent.
+// Values by name, which nodes share; of a subtree, some names may stand for those of its parent. A
+// tree and other threads may use it at once.
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -19,6 +21,7 @@ class Blackboard {
   /// Throws RuntimeError when there is none, or one that cannot be read so.
   template <typename T>
   [[nodiscard]] T get(const std::string& key) const {
+    const Lock lock = locked();
     const Any* value = getAny(key);
     if (value == nullptr || value->empty()) {
       throw RuntimeError("Blackboard::get() error. Missing key [" + key + "]");
@@ -28,6 +31,7 @@ class Blackboard {
   /// False when there is none.
   template <typename T>
   bool get(const std::string& key, T& value) const {
+    const Lock lock = locked();
     const Any* found = getAny(key);
     if (found == nullptr || found->empty()) return false;
     value = read_as<T>(*found);
@@ -43,11 +47,15 @@ class Blackboard {
   }
   void unset(const std::string& key);
 
-  /// Null when there is none.
+  /// Null when there is none. Where other threads write, it is good while the blackboard is locked.
   [[nodiscard]] const Any* getAny(const std::string& key) const;
   [[nodiscard]] std::vector<StringView> getKeys() const;
   void debugMessage() const;
-  void clear() { values_.clear(); }
+  void clear();
+
+  using Lock = std::unique_lock<std::recursive_mutex>;
+  /// One lock for all blackboards of a tree.
+  [[nodiscard]] Lock locked() const { return Lock(*mutex_); }
 
   /// Here `internal` is what `external` is for the parent.
   void addSubtreeRemapping(StringView internal, StringView external);
@@ -55,13 +63,16 @@ class Blackboard {
   void enableAutoRemapping(bool remapping) { takes_all_ = remapping; }
 
  private:
-  explicit Blackboard(Ptr parent) : parent_(std::move(parent)) {}
+  explicit Blackboard(Ptr parent)
+      : parent_(std::move(parent)),
+        mutex_(parent_ ? parent_->mutex_ : std::make_shared<std::recursive_mutex>()) {}
 
   void put(const std::string& key, Any value);
   /// The name that the parent has for it, or null when it is this one's.
   [[nodiscard]] const std::string* name_above(const std::string& key) const;
 
   Ptr parent_;
+  std::shared_ptr<std::recursive_mutex> mutex_;
   bool takes_all_ = false;
   std::unordered_map<std::string, Any> values_;
   std::unordered_map<std::string, std::string> names_above_;

@@ -25,7 +25,7 @@ struct TreeSettings {
 
 void declare_tree_parameters(rclcpp_lifecycle::LifecycleNode& node);
 
-/// Throws std::invalid_argument for a duration that is not positive.
+/// Throws std::invalid_argument when the duration of a loop is not positive.
 TreeSettings read_tree_settings(const rclcpp_lifecycle::LifecycleNode& node);
 
 void write_tree_settings(BT::Blackboard& blackboard, const rclcpp::Node::SharedPtr& node,

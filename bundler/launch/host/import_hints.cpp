@@ -71,9 +71,6 @@ constexpr auto kHints = std::to_array<Hint>({
     {"launch", kLaunch},
     {"launch_ros", kLaunch},
     {"mediapipe", kCompiled},
-    {"nav2_simple_commander",
-     "it is not in the channels; Nav2's actions can be called with `rclpy.action.ActionClient`, "
-     "where the workspace has nav2_msgs and a node that serves them"},
     {"numba",
      "it compiles at run time, which Python in a browser cannot do; the functions run "
      "without its decorators, in numpy where they are vectorised"},

@@ -9,9 +9,8 @@ from launch.actions import (DeclareLaunchArgument, GroupAction, IncludeLaunchDes
 from launch.conditions import IfCondition
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import LaunchConfiguration, PythonExpression
-from launch_ros.actions import Node, PushROSNamespace
-from launch_ros.descriptions import ParameterFile
-from nav2_common.launch import ReplaceString, RewrittenYaml
+from launch_ros.actions import PushROSNamespace
+from nav2_common.launch import ReplaceString
 
 
 def generate_launch_description():
@@ -27,8 +26,7 @@ def generate_launch_description():
         DeclareLaunchArgument('params_file', default_value=os.path.join(share, 'params', 'nav2_params.yaml'),
                               description='File with the parameters'),
         DeclareLaunchArgument('autostart', default_value='true', description='Whether the servers are activated'),
-        # A site runs one program for each server: they share no memory, and start side by side.
-        DeclareLaunchArgument('use_composition', default_value='False', description='Whether one container has all'),
+        DeclareLaunchArgument('use_composition', default_value='False', description='Without effect'),
         DeclareLaunchArgument('use_respawn', default_value='False', description='Whether a program starts again'),
         DeclareLaunchArgument('log_level', default_value='info', description='Level of messages'),
     ]
@@ -37,16 +35,10 @@ def generate_launch_description():
     use_localization = LaunchConfiguration('use_localization')
     shared = {name: LaunchConfiguration(name) for name in
               ('namespace', 'use_sim_time', 'autostart', 'params_file', 'use_composition', 'use_respawn', 'log_level')}
-    shared['container_name'] = 'nav2_container'
     # One file serves several robots.
-    params_file = ReplaceString(source_file=LaunchConfiguration('params_file'),
-                                replacements={'<robot_namespace>': ('/', namespace)},
-                                condition=IfCondition(LaunchConfiguration('use_namespace')))
-    shared['params_file'] = params_file
-    parameters = ParameterFile(
-        RewrittenYaml(source_file=params_file, root_key=namespace, param_rewrites={},
-                      convert_types=True),
-        allow_substs=True)
+    shared['params_file'] = ReplaceString(source_file=LaunchConfiguration('params_file'),
+                                          replacements={'<robot_namespace>': ('/', namespace)},
+                                          condition=IfCondition(LaunchConfiguration('use_namespace')))
 
     def include(name, condition=None, **more):
         return IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(folder, name)), condition=condition,
@@ -54,11 +46,6 @@ def generate_launch_description():
 
     started = GroupAction([
         PushROSNamespace(condition=IfCondition(LaunchConfiguration('use_namespace')), namespace=namespace),
-        Node(condition=IfCondition(LaunchConfiguration('use_composition')), name='nav2_container',
-             package='rclcpp_components', executable='component_container_isolated',
-             parameters=[parameters, {'autostart': LaunchConfiguration('autostart')}],
-             arguments=['--ros-args', '--log-level', LaunchConfiguration('log_level')],
-             remappings=[('/tf', 'tf'), ('/tf_static', 'tf_static')], output='screen'),
         LogInfo(condition=IfCondition(PythonExpression([slam, ' and ', use_localization])),
                 msg='slam is not part of the channel: start a node that publishes the map and the frame map'),
         include('localization_launch.py', IfCondition(PythonExpression(['not ', slam, ' and ', use_localization])),

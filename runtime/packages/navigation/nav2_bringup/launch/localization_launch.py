@@ -6,9 +6,9 @@ from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction, SetEnvironmentVariable
 from launch.conditions import IfCondition
-from launch.substitutions import EqualsSubstitution, LaunchConfiguration, NotEqualsSubstitution, PythonExpression
-from launch_ros.actions import LoadComposableNodes, Node, SetParameter
-from launch_ros.descriptions import ComposableNode, ParameterFile
+from launch.substitutions import EqualsSubstitution, LaunchConfiguration, NotEqualsSubstitution
+from launch_ros.actions import Node, SetParameter
+from launch_ros.descriptions import ParameterFile
 from nav2_common.launch import RewrittenYaml
 
 FRAMES = [('/tf', 'tf'), ('/tf_static', 'tf_static')]
@@ -22,18 +22,17 @@ def generate_launch_description():
         DeclareLaunchArgument('use_sim_time', default_value='false', description='Whether time is that of /clock'),
         DeclareLaunchArgument('params_file', default_value=params_file, description='File with the parameters'),
         DeclareLaunchArgument('autostart', default_value='true', description='Whether the servers are activated'),
-        DeclareLaunchArgument('use_composition', default_value='False', description='Whether one container has all'),
-        DeclareLaunchArgument('container_name', default_value='nav2_container', description='Name of that container'),
+        # A site has a program for each server.
+        DeclareLaunchArgument('use_composition', default_value='False', description='Without effect'),
+        DeclareLaunchArgument('container_name', default_value='nav2_container', description='Without effect'),
         DeclareLaunchArgument('use_respawn', default_value='False', description='Whether a program starts again'),
         DeclareLaunchArgument('log_level', default_value='info', description='Level of messages'),
     ]
-    namespace = LaunchConfiguration('namespace')
     map_file = LaunchConfiguration('map')
-    use_composition = LaunchConfiguration('use_composition')
     log_arguments = ['--ros-args', '--log-level', LaunchConfiguration('log_level')]
     parameters = ParameterFile(
-        RewrittenYaml(source_file=LaunchConfiguration('params_file'), root_key=namespace, param_rewrites={},
-                      convert_types=True),
+        RewrittenYaml(source_file=LaunchConfiguration('params_file'), root_key=LaunchConfiguration('namespace'),
+                      param_rewrites={}, convert_types=True),
         allow_substs=True)
     managed = [{'autostart': LaunchConfiguration('autostart')}, {'node_names': ['map_server', 'amcl']}]
 
@@ -42,37 +41,17 @@ def generate_launch_description():
                     respawn=LaunchConfiguration('use_respawn'), respawn_delay=2.0,
                     parameters=[parameters] + (more or []), arguments=log_arguments, remappings=FRAMES)
 
-    def component(package, plugin, name, more=None):
-        return ComposableNode(package=package, plugin=plugin, name=name, parameters=[parameters] + (more or []),
-                              remappings=FRAMES)
-
     # The argument `map` counts only when it is given.
     has_no_map = IfCondition(EqualsSubstitution(map_file, ''))
     has_map = IfCondition(NotEqualsSubstitution(map_file, ''))
     given_map = [{'yaml_filename': map_file}]
-    container = (namespace, '/', LaunchConfiguration('container_name'))
-    programs = GroupAction(
-        condition=IfCondition(PythonExpression(['not ', use_composition])),
-        actions=[
-            SetParameter('use_sim_time', LaunchConfiguration('use_sim_time')),
-            program('nav2_map_server', 'map_server', has_no_map),
-            program('nav2_map_server', 'map_server', has_map, given_map),
-            program('nav2_amcl', 'amcl'),
-            Node(package='nav2_lifecycle_manager', executable='lifecycle_manager',
-                 name='lifecycle_manager_localization', output='screen', arguments=log_arguments, parameters=managed),
-        ])
-    components = GroupAction(
-        condition=IfCondition(use_composition),
-        actions=[
-            SetParameter('use_sim_time', LaunchConfiguration('use_sim_time')),
-            LoadComposableNodes(target_container=container, condition=has_no_map, composable_node_descriptions=[
-                component('nav2_map_server', 'nav2_map_server::MapServer', 'map_server')]),
-            LoadComposableNodes(target_container=container, condition=has_map, composable_node_descriptions=[
-                component('nav2_map_server', 'nav2_map_server::MapServer', 'map_server', given_map)]),
-            LoadComposableNodes(target_container=container, composable_node_descriptions=[
-                component('nav2_amcl', 'nav2_amcl::AmclNode', 'amcl'),
-                ComposableNode(package='nav2_lifecycle_manager', plugin='nav2_lifecycle_manager::LifecycleManager',
-                               name='lifecycle_manager_localization', parameters=managed)]),
-        ])
+    programs = GroupAction([
+        SetParameter('use_sim_time', LaunchConfiguration('use_sim_time')),
+        program('nav2_map_server', 'map_server', has_no_map),
+        program('nav2_map_server', 'map_server', has_map, given_map),
+        program('nav2_amcl', 'amcl'),
+        Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_localization',
+             output='screen', arguments=log_arguments, parameters=managed),
+    ])
     return LaunchDescription(
-        [SetEnvironmentVariable('RCUTILS_LOGGING_BUFFERED_STREAM', '1'), *arguments, programs, components])
+        [SetEnvironmentVariable('RCUTILS_LOGGING_BUFFERED_STREAM', '1'), *arguments, programs])

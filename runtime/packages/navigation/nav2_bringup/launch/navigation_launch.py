@@ -5,22 +5,21 @@ import os
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction, SetEnvironmentVariable
-from launch.conditions import IfCondition
-from launch.substitutions import LaunchConfiguration, PythonExpression
-from launch_ros.actions import LoadComposableNodes, Node, SetParameter
-from launch_ros.descriptions import ComposableNode, ParameterFile
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node, SetParameter
+from launch_ros.descriptions import ParameterFile
 from nav2_common.launch import RewrittenYaml
 
-# Package, program, component and node of each server, in the order in which they are activated.
+# Package and program of each server, in the order in which they are activated. The node has the program's name.
 SERVERS = [
-    ('nav2_controller', 'controller_server', 'nav2_controller::ControllerServer', 'controller_server'),
-    ('nav2_smoother', 'smoother_server', 'nav2_smoother::SmootherServer', 'smoother_server'),
-    ('nav2_planner', 'planner_server', 'nav2_planner::PlannerServer', 'planner_server'),
-    ('nav2_behaviors', 'behavior_server', 'behavior_server::BehaviorServer', 'behavior_server'),
-    ('nav2_velocity_smoother', 'velocity_smoother', 'nav2_velocity_smoother::VelocitySmoother', 'velocity_smoother'),
-    ('nav2_collision_monitor', 'collision_monitor', 'nav2_collision_monitor::CollisionMonitor', 'collision_monitor'),
-    ('nav2_bt_navigator', 'bt_navigator', 'nav2_bt_navigator::BtNavigator', 'bt_navigator'),
-    ('nav2_waypoint_follower', 'waypoint_follower', 'nav2_waypoint_follower::WaypointFollower', 'waypoint_follower'),
+    ('nav2_controller', 'controller_server'),
+    ('nav2_smoother', 'smoother_server'),
+    ('nav2_planner', 'planner_server'),
+    ('nav2_behaviors', 'behavior_server'),
+    ('nav2_velocity_smoother', 'velocity_smoother'),
+    ('nav2_collision_monitor', 'collision_monitor'),
+    ('nav2_bt_navigator', 'bt_navigator'),
+    ('nav2_waypoint_follower', 'waypoint_follower'),
 ]
 
 # The velocity goes through the smoother and the monitor: cmd_vel_nav, cmd_vel_smoothed, cmd_vel.
@@ -34,50 +33,34 @@ def generate_launch_description():
         DeclareLaunchArgument('use_sim_time', default_value='false', description='Whether time is that of /clock'),
         DeclareLaunchArgument('params_file', default_value=params_file, description='File with the parameters'),
         DeclareLaunchArgument('autostart', default_value='true', description='Whether the servers are activated'),
-        DeclareLaunchArgument('use_composition', default_value='False', description='Whether one container has all'),
-        DeclareLaunchArgument('container_name', default_value='nav2_container', description='Name of that container'),
+        # A site has a program for each server.
+        DeclareLaunchArgument('use_composition', default_value='False', description='Without effect'),
+        DeclareLaunchArgument('container_name', default_value='nav2_container', description='Without effect'),
         DeclareLaunchArgument('use_respawn', default_value='False', description='Whether a program starts again'),
         DeclareLaunchArgument('log_level', default_value='info', description='Level of messages'),
     ]
     namespace = LaunchConfiguration('namespace')
     autostart = LaunchConfiguration('autostart')
-    use_composition = LaunchConfiguration('use_composition')
     log_arguments = ['--ros-args', '--log-level', LaunchConfiguration('log_level')]
     parameters = ParameterFile(
         RewrittenYaml(source_file=LaunchConfiguration('params_file'), root_key=namespace,
                       param_rewrites={'autostart': autostart}, convert_types=True),
         allow_substs=True)
-    managed = [{'autostart': autostart}, {'node_names': [node for _, _, _, node in SERVERS]}]
+    managed = [{'autostart': autostart}, {'node_names': [program for _, program in SERVERS]}]
 
     def remappings(node):
         frames = [('/tf', 'tf'), ('/tf_static', 'tf_static')]
         return frames + ([('cmd_vel', 'cmd_vel_nav')] if node in MOVERS else [])
 
     programs = GroupAction(
-        condition=IfCondition(PythonExpression(['not ', use_composition])),
-        actions=[SetParameter('use_sim_time', LaunchConfiguration('use_sim_time'))] + [
-            Node(package=package, executable=program, name=node, output='screen',
+        [SetParameter('use_sim_time', LaunchConfiguration('use_sim_time'))] + [
+            Node(package=package, executable=program, name=program, output='screen',
                  respawn=LaunchConfiguration('use_respawn'), respawn_delay=2.0, parameters=[parameters],
-                 arguments=log_arguments, remappings=remappings(node))
-            for package, program, _, node in SERVERS
+                 arguments=log_arguments, remappings=remappings(program))
+            for package, program in SERVERS
         ] + [
             Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation',
                  output='screen', arguments=log_arguments, parameters=managed),
         ])
-    components = GroupAction(
-        condition=IfCondition(use_composition),
-        actions=[
-            SetParameter('use_sim_time', LaunchConfiguration('use_sim_time')),
-            LoadComposableNodes(
-                target_container=(namespace, '/', LaunchConfiguration('container_name')),
-                composable_node_descriptions=[
-                    ComposableNode(package=package, plugin=plugin, name=node, parameters=[parameters],
-                                   remappings=remappings(node))
-                    for package, _, plugin, node in SERVERS
-                ] + [
-                    ComposableNode(package='nav2_lifecycle_manager', plugin='nav2_lifecycle_manager::LifecycleManager',
-                                   name='lifecycle_manager_navigation', parameters=managed),
-                ]),
-        ])
     return LaunchDescription(
-        [SetEnvironmentVariable('RCUTILS_LOGGING_BUFFERED_STREAM', '1'), *arguments, programs, components])
+        [SetEnvironmentVariable('RCUTILS_LOGGING_BUFFERED_STREAM', '1'), *arguments, programs])

@@ -37,7 +37,7 @@ def generate_launch_description():
     ])
 `;
 
-/** Of a robot that drives as fast as `speed`, with these critics. */
+/** A controller with these critics, for a robot that drives as fast as `speed`. */
 const dwb = (name: string, speed: number, critics: string, more = ''): string => `
     ${name}:
       plugin: "dwb_core::DWBLocalPlanner"

@@ -244,8 +244,7 @@ int main(int argc, char** argv) {
   broken->wait_for_service();
   auto request = std::make_shared<ChangeState::Request>();
   request->transition.id = 1;
-  // Its answer is in the log.
-  broken->async_send_request(request);
+  say("broken configured %d", wait(broken->async_send_request(request).future.share())->success);
 
   follower = rclcpp_action::create_client<Follow>(node, "follow_path");
   const auto odometries = node->create_subscription<nav_msgs::msg::Odometry>("odom", 10, [](const nav_msgs::msg::Odometry& message) {
@@ -281,6 +280,14 @@ int main(int argc, char** argv) {
   fastest = 0;
   follow("own critic", path({{1.3, 0.5}, {0.7, 0.5}}, M_PI), "Own");
   say("fastest %d", fastest > 0.15 && fastest < 0.26);
+
+  rclcpp::AsyncParametersClient server(node, "controller_server");
+  const auto set = [&](double speed) { return wait(server.set_parameters({rclcpp::Parameter("FollowPath.max_vel_x", speed)}))[0]; };
+  say("not finite: %s", set(NAN).reason.c_str());
+  say("slower %d", set(0.15).successful);
+  fastest = 0;
+  follow("slowly", path({{0.7, 0.5}, {0.2, 0.5}}, M_PI), "FollowPath");
+  say("fastest %d", fastest > 0.1 && fastest < 0.151);
   follow("never", path({{0.7, 0.5}, {1.3, 0.5}}, M_PI), "Boxed");
   follow("far away", path({{-2.0, -2.0}, {-2.0, -1.5}}, 0), "FollowPath");
   auto nowhere = path({{0.7, 0.5}, {1.3, 0.5}}, M_PI);
@@ -340,10 +347,15 @@ for (const link of played('shared')) {
       'queue of 35 cells in order 1, farthest 5, sum 105',
       'within 2 cells: 13',
       'line of 8 poses',
+      'broken configured 0',
       'around the wall: code 4 error 0',
       'at the goal 1 turned 1 faster than 0.3 1',
       'scores 1 sound 1 of at least 800 1, markers 1, local plans 1',
       'own critic: code 4 error 0',
+      'fastest 1',
+      'not finite: FollowPath.max_vel_x must be a finite number',
+      'slower 1',
+      'slowly: code 4 error 0',
       'fastest 1',
       'never: code 6 error 106',
       'far away: code 6 error 103',

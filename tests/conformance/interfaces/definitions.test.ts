@@ -1,6 +1,6 @@
 // The interface definitions say what ROS 2 Jazzy's say: same constants, fields, defaults and order.
 
-// Compatibility, works: all 683 interface definitions, CDR as on the wire of ROS 2, type hashes
+// Compatibility, works: all 692 interface definitions, CDR as on the wire of ROS 2, type hashes
 // (RIHS01)
 
 import assert from 'node:assert/strict';
@@ -18,7 +18,7 @@ import { REPOSITORY, interfaceFiles } from './interface_files.ts';
 // Digests of definitions in normal form, taken once from facts about upstream's packages.
 const DIGESTS = {
   'ROS 2': { count: 233, digest: 'a279b66321a7604046d056aa78df0a565fec5a040d367bdc052c3a714192c342' },
-  'packages that many use with it': { count: 450, digest: '74904018de77eef26dde683e32e6e91bce37c50ae7226493f44b885244bb89ce' },
+  'packages that many use with it': { count: 459, digest: 'e968bde6dc9853a8dc9200438609e25efe566579429070749ee2da906304ddd0' },
 } as const;
 const USED_WITH_IT = new Set([
   'ackermann_msgs',
@@ -28,6 +28,7 @@ const USED_WITH_IT = new Set([
   'can_msgs',
   'control_msgs',
   'controller_manager_msgs',
+  'dwb_msgs',
   'gazebo_msgs',
   'geographic_msgs',
   'gps_msgs',

@@ -1,6 +1,7 @@
 // A thread that spins a node or an executor. A program that has one is linked with threads.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <thread>
 
@@ -21,6 +22,11 @@ class NodeThread {
   rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_;
   std::unique_ptr<std::thread> thread_;
   rclcpp::Executor::SharedPtr executor_;
+
+ private:
+  void spin();
+
+  std::atomic<bool> is_over_{false};
 };
 
 }  // namespace nav2_util

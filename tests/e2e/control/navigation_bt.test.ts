@@ -66,7 +66,8 @@ controller_server:
     controller_plugins: ["FollowPath"]
     progress_checker:
       plugin: "nav2_controller::SimpleProgressChecker"
-      movement_time_allowance: 2.0
+      required_movement_radius: 0.2
+      movement_time_allowance: 3.0
     goal_checker:
       plugin: "nav2_controller::SimpleGoalChecker"
     FollowPath:

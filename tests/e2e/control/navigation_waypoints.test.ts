@@ -398,12 +398,12 @@ for (const link of played('shared')) {
       for (
         const line of ['Received follow waypoint request with 3 waypoints.', "Arrived at 2'th waypoint, sleeping for 200 milliseconds",
           'Starting a new loop, current loop count is 0', 'Completed all 2 waypoints requested.', 'Preempting the goal pose.',
-          'There is no waypoint 3 to begin with, the last one is 2.', 'Converting GPS waypoints to map Frame..',
+          'Waypoint 3 does not exist; the last one is 2.', 'Converting GPS waypoints to map Frame..',
           'navigate_to_pose action client failed to send goal to server.', 'Failed to process waypoint 1, moving to next.',
           'Failed to process waypoint 1 in waypoint list and stop on failure is enabled. Terminating action.']
       ) assert.ok(follower.includes(line), `waypoint_follower does not say: ${line}\n${output}`);
       assert.match(output, /\[broken\.waypoint_follower\]: Failed to create waypoint_task_executor\. Exception: .*mail_tasks::Paint/);
-      assert.match(output, /Couldn't take photo at waypoint 0! Caught exception: there is no picture/);
+      assert.match(output, /Couldn't take photo at waypoint 0! Caught exception: the image has no pixels/);
       assert.match(output, /\[asking\.waypoint_follower\]: Unable to get external input at wp 1\. Moving on\./);
       const photos = readdirSync(kept, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.png'));
       assert.equal(photos.length, 1, output);

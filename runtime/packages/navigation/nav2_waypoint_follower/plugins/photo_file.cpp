@@ -61,7 +61,7 @@ std::vector<uint8_t> samples_of(const Photo& photo, const Encoding& encoding) {
 }  // namespace
 
 std::string photo_file(const Photo& photo, const std::string& format) {
-  if (photo.width == 0 || photo.height == 0) throw std::runtime_error("there is no picture");
+  if (photo.width == 0 || photo.height == 0) throw std::runtime_error("the image has no pixels");
   const Encoding& encoding = encoding_of(photo);
   const std::vector<uint8_t> samples = samples_of(photo, encoding);
   const int width = static_cast<int>(photo.width);

@@ -98,7 +98,7 @@ bool WaypointFollower::isUsable(const Tour& tour) {
     return false;
   }
   if (tour.index >= tour.poses.size()) {
-    RCLCPP_ERROR(get_logger(), "There is no waypoint %u to begin with, the last one is %zu.",
+    RCLCPP_ERROR(get_logger(), "Waypoint %u does not exist; the last one is %zu.",
                  tour.index, tour.poses.size() - 1);
     return false;
   }

@@ -23,7 +23,7 @@ class RobotPlace {
  public:
   explicit RobotPlace(const BT::TreeNode& node);
 
-  /// False when there is no such transform. An empty frame is that of the port `global_frame`.
+  /// False when the transform is not known. An empty `frame` stands for the port `global_frame`.
   bool find(geometry_msgs::msg::PoseStamped& pose, const std::string& frame = "") const;
   /// The same, with a debug message.
   bool find_or_note(geometry_msgs::msg::PoseStamped& pose) const;

@@ -33,7 +33,7 @@ inline bool find_robot(const nav2_core::FeedbackUtils& utils,
                                    utils.transform_tolerance);
 }
 
-/// False, with a message, when there is no transform.
+/// False, with a message, when the transform is not known.
 bool to_global_frame(const nav2_core::FeedbackUtils& utils, const rclcpp::Logger& logger,
                      geometry_msgs::msg::PoseStamped& goal);
 

@@ -50,7 +50,7 @@ class Polygon {
   virtual int getPointsInside(const std::vector<Point>& points) const;
   /// Counts points of the sources that this zone watches.
   virtual int getPointsInside(const SourcePoints& sources_collision_points_map) const;
-  /// In seconds; negative when there is no collision.
+  /// In seconds; negative when nothing will be hit.
   double getCollisionTime(const SourcePoints& sources_collision_points_map,
                           const Velocity& velocity) const;
   void publish();

@@ -16,7 +16,7 @@ class PhotoAtWaypoint : public nav2_core::WaypointTaskExecutor {
  public:
   void initialize(const rclcpp_lifecycle::LifecycleNode::WeakPtr& parent,
                   const std::string& plugin_name) override;
-  /// False when there is no picture, or it cannot be written.
+  /// False when no image has come, or it cannot be written.
   bool processAtWaypoint(const geometry_msgs::msg::PoseStamped& curr_pose,
                          const int& curr_waypoint_index) override;
   void imageCallback(const sensor_msgs::msg::Image::SharedPtr msg);

@@ -1,5 +1,5 @@
-// Nav2: the navigation function over a large map in a site, beside the same code compiled natively, in turns; and the size of
-// the servers in a site.
+// Nav2: the navigation function over a large map in a site, beside the same code compiled natively, in turns; cycles of DWB in a site; and
+// the size of the servers in a site.
 import { spawnSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,6 +13,8 @@ const RUNS = 10;
 /** The time in the site divided by the native time. */
 const RATIO_AIM = 2.5;
 const LEAST_POSES = 980;
+/** Of a cycle of DWB, in ms. */
+const CYCLE_AIM = 15;
 const SIZE_AIM = 250_000;
 const PROGRAMS = ['nav2_planner/planner_server', 'nav2_controller/controller_server', 'nav2_behaviors/behavior_server', 'nav2_bt_navigator/bt_navigator',
   'nav2_smoother/smoother_server', 'nav2_velocity_smoother/velocity_smoother', 'nav2_collision_monitor/collision_monitor',
@@ -26,14 +28,26 @@ function run(command: string, words: readonly string[]): string {
   return done.stdout;
 }
 
-/** The median of the rounds of a run, in ms. A plan straight across the map has at least so many poses as it has rows. */
-function median(text: string): number {
+/** The median of times in ms, sorted, as a program prints them. */
+function middle(list: string | undefined, text: string): number {
+  const times = list?.trim().split(' ').map(Number) ?? [];
+  const found = times[Math.floor(times.length / 2)];
+  if (found === undefined) throw new Error(`no times: ${text}`);
+  return found;
+}
+
+/** The rounds of NavFn in a run. A plan straight across the map has at least so many poses as it has rows. */
+function navfnTime(text: string): number {
   const [, poses, list] = /navfn (\d+) poses ((?:[\d.]+ ?)+)/.exec(text) ?? [];
   if (Number(poses) < LEAST_POSES) throw new Error(`no plan: ${text}`);
-  const times = list?.trim().split(' ').map(Number) ?? [];
-  const middle = times[Math.floor(times.length / 2)];
-  if (middle === undefined) throw new Error(`no times: ${text}`);
-  return middle;
+  return middle(list, text);
+}
+
+/** The cycles of DWB in a run, which must have found a velocity. */
+function dwbTime(text: string): number {
+  const [, speed, list] = /dwb ([\d.]+) m\/s ((?:[\d.]+ ?)+)/.exec(text) ?? [];
+  if (!(Number(speed) > 0.1)) throw new Error(`no velocity: ${text}`);
+  return middle(list, text);
 }
 
 export function benchStacks(context: BenchContext): void {
@@ -44,10 +58,9 @@ export function benchStacks(context: BenchContext): void {
       const [name, executable] = path.split('/');
       return `  - {package: ${String(name)}, executable: ${String(executable)}}`;
     });
-    // Only the navigation function runs; the servers are there to be weighed.
-    writeFileSync(join(folder, 'stacks.launch.xml'), '<launch><node pkg="stacks_bench" exec="navfn" output="screen"/></launch>\n');
+    // Only these run, one after the other; the servers are there to be weighed.
     writeFileSync(join(folder, 'workspace.yaml'),
-      `schema: 1\nname: stacks\npackages: [stacks_bench]\nlaunch: stacks.launch.xml\nprograms:\n${programs.join('\n')}\n`);
+      `schema: 1\nname: stacks\npackages: [stacks_bench]\nlaunch: stacks_bench/stacks.launch.py\nprograms:\n${programs.join('\n')}\n`);
     const site = join(folder, 'site');
     run(join(context.build, 'ros2wasm'), ['pack', join(folder, 'workspace.yaml'), '-o', site]);
     const native = join(folder, 'native');
@@ -55,9 +68,11 @@ export function benchStacks(context: BenchContext): void {
       join(context.root, PACKAGE, 'src/native.cpp'), '-o', native]);
     const ours: number[] = [];
     const peers: number[] = [];
+    const cycles: number[] = [];
     for (let i = 0; i < RUNS; ++i) {
-      peers.push(median(run(native, [])));
-      ours.push(median(run(join(context.build, 'ros2wasm'), ['run', site, '--for', '8s'])));
+      peers.push(navfnTime(run(native, [])));
+      ours.push(navfnTime(run(join(context.build, 'ros2wasm'), ['run', site, '--for', '8s'])));
+      cycles.push(dwbTime(run(join(context.build, 'ros2wasm'), ['run', site, '--for', '8s', 'what:=dwb'])));
     }
     const ratios = summary(ours.map((time, i) => time / (peers[i] ?? Number.NaN)));
     context.emit({
@@ -71,6 +86,9 @@ export function benchStacks(context: BenchContext): void {
       load: machineLoad(),
     });
     if (ratios.median > RATIO_AIM) context.fail(`stacks: NavFn takes ${String(ratios.median)} times as long as natively, the aim is ${String(RATIO_AIM)}`);
+    const cycle = summary(cycles);
+    context.emit({ bench: 'stacks', what: 'ms of a cycle of DWB, 20 x 20 velocities, 60 x 60 cells, Node.js', ...cycle, aim: CYCLE_AIM, load: machineLoad() });
+    if (cycle.median > CYCLE_AIM) context.fail(`stacks: a cycle of DWB takes ${String(cycle.median)} ms, the aim is ${String(CYCLE_AIM)}`);
     for (const path of PROGRAMS) {
       const program = readFileSync(join(site, `programs/${path}.wasm`));
       const brotli = brotliCompressSync(program).length;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <thread>
 
 #include "rclcpp/contexts/default_context.hpp"
 #include "rclcpp/detail/background.hpp"
@@ -27,6 +28,8 @@ Registry& registry() {
 
 std::atomic<bool> g_handles_stop{false};
 std::atomic<bool> g_stop_seen{false};
+/// The thread that installed the handlers, usually that of main().
+std::atomic<std::thread::id> g_stopping_thread{};
 std::atomic<SignalHandlerOptions> g_signal_options{SignalHandlerOptions::None};
 
 std::vector<std::string> to_strings(int argc, char const* const* argv) {
@@ -61,6 +64,22 @@ std::vector<std::function<void()>> copy_callbacks(
     copies.push_back(*callback);
   }
   return copies;
+}
+
+/// A shutdown may wait for other threads, such as one that works on a goal of an action, so another
+/// thread leaves it to the one that installed the handlers. Where that does not come, because it
+/// waits for other threads itself, this one goes on after a while.
+void leave_shutdown_to_stopping_thread() {
+  constexpr int64_t kLongestNs = 500'000'000;
+  constexpr int64_t kPauseNs = 1'000'000;
+  if (std::this_thread::get_id() == g_stopping_thread.load()) {
+    return;
+  }
+  ros2wasm::wake();
+  const int64_t until_ns = ros2wasm::steady_now_ns() + kLongestNs;
+  while (!g_stop_seen && ros2wasm::steady_now_ns() < until_ns) {
+    ros2wasm::wait(ros2wasm::wake_token(), kPauseNs);
+  }
 }
 
 bool remove_callback(std::vector<std::shared_ptr<std::function<void()>>>& callbacks,
@@ -226,7 +245,11 @@ namespace detail {
 
 void notice_stop_request() {
   if (!g_handles_stop.load(std::memory_order_relaxed) || !ros2wasm::stop_requested() ||
-      g_stop_seen.exchange(true)) {
+      g_stop_seen) {
+    return;
+  }
+  leave_shutdown_to_stopping_thread();
+  if (g_stop_seen.exchange(true)) {
     return;
   }
   constexpr int kInterrupt = 2;
@@ -266,6 +289,7 @@ bool install_signal_handlers(SignalHandlerOptions signal_handler_options) {
     return false;
   }
   g_signal_options = signal_handler_options;
+  g_stopping_thread = std::this_thread::get_id();
   return !g_handles_stop.exchange(true);
 }
 

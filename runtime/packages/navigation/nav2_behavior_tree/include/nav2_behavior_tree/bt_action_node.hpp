@@ -13,7 +13,7 @@
 #include "behaviortree_cpp/action_node.h"
 #include "behaviortree_cpp/json_export.h"
 #include "nav2_behavior_tree/bt_utils.hpp"
-#include "nav2_behavior_tree/detail/client_leaf.hpp"
+#include "nav2_behavior_tree/detail/action_leaf.hpp"
 #include "nav2_behavior_tree/json_utils.hpp"
 #include "nav2_util/node_utils.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
@@ -23,7 +23,8 @@ namespace nav2_behavior_tree {
 using namespace std::chrono_literals;
 
 template <class ActionT>
-class BtActionNode : public detail::ClientLeaf {
+class BtActionNode : public detail::ActionLeaf<ActionT> {
+  using Leaf = detail::ActionLeaf<ActionT>;
   using Client = rclcpp_action::Client<ActionT>;
   using GoalHandle = rclcpp_action::ClientGoalHandle<ActionT>;
   using GoalHandlePtr = typename GoalHandle::SharedPtr;
@@ -33,28 +34,10 @@ class BtActionNode : public detail::ClientLeaf {
   /// Throws std::runtime_error when the server does not come in time.
   BtActionNode(const std::string& xml_tag_name, const std::string& action_name,
                const BT::NodeConfiguration& conf)
-      : detail::ClientLeaf(xml_tag_name, conf), action_name_(action_name) {
-    cancel_timeout_ = detail::timeout_of(*this, "cancel_timeout");
-    std::string remapped_action_name;
-    if (getInput("server_name", remapped_action_name)) action_name_ = remapped_action_name;
-    createActionClient(action_name_);
-  }
+      : Leaf(xml_tag_name, action_name, conf),
+        cancel_timeout_(detail::timeout_of(*this, "cancel_timeout")) {}
   BtActionNode() = delete;
   ~BtActionNode() override = default;
-
-  void createActionClient(const std::string& action_name) {
-    action_client_ = rclcpp_action::create_client<ActionT>(node_, action_name, callback_group_);
-    require_server(action_client_->wait_for_action_server(wait_for_service_timeout_), "action",
-                   action_name);
-  }
-
-  /// The ports of every such node, with those of one class.
-  static BT::PortsList providedBasicPorts(BT::PortsList addition) {
-    return ports_with({BT::InputPort<std::string>("server_name", "Action server name"),
-                       BT::InputPort<std::chrono::milliseconds>("server_timeout")},
-                      addition);
-  }
-  static BT::PortsList providedPorts() { return providedBasicPorts({}); }
 
   // For subclasses.
 
@@ -68,7 +51,7 @@ class BtActionNode : public detail::ClientLeaf {
   virtual BT::NodeStatus on_cancelled() { return BT::NodeStatus::SUCCESS; }
 
   BT::NodeStatus tick() override {
-    if (!BT::isStatusActive(status()) && !begin()) return BT::NodeStatus::FAILURE;
+    if (!BT::isStatusActive(this->status()) && !begin()) return BT::NodeStatus::FAILURE;
     if (future_goal_handle_) {
       if (const auto waiting = wait_for_goal_handle()) return *waiting;
     }
@@ -94,22 +77,29 @@ class BtActionNode : public detail::ClientLeaf {
     if (should_cancel_goal()) {
       const auto future_result = action_client_->async_get_result(goal_handle_);
       const auto future_cancel = action_client_->async_cancel_goal(goal_handle_);
-      if (!is_ready_within(future_cancel, server_timeout_)) {
+      if (!this->is_ready_within(future_cancel, server_timeout_)) {
         RCLCPP_ERROR(node_->get_logger(), "Failed to cancel action server for %s",
                      action_name_.c_str());
       }
-      if (!is_ready_within(future_result, cancel_timeout_)) {
+      if (!this->is_ready_within(future_result, cancel_timeout_)) {
         RCLCPP_ERROR(node_->get_logger(), "Failed to get result for %s in node halt!",
                      action_name_.c_str());
       }
       on_cancelled();
     }
-    resetStatus();
+    this->resetStatus();
   }
 
  protected:
+  using Leaf::action_client_;
+  using Leaf::action_name_;
+  using Leaf::callback_group_executor_;
+  using Leaf::max_timeout_;
+  using Leaf::node_;
+  using Leaf::server_timeout_;
+
   bool should_cancel_goal() {
-    if (status() != BT::NodeStatus::RUNNING || !goal_handle_) return false;
+    if (this->status() != BT::NodeStatus::RUNNING || !goal_handle_) return false;
     callback_group_executor_.spin_some();
     return is_goal_live();
   }
@@ -123,27 +113,25 @@ class BtActionNode : public detail::ClientLeaf {
       if (goal_handle_->get_goal_id() != result.goal_id) return;
       goal_result_available_ = true;
       result_ = result;
-      emitWakeUpSignal();
+      this->emitWakeUpSignal();
     };
     options.feedback_callback =
         [this](GoalHandlePtr, const std::shared_ptr<const typename ActionT::Feedback> feedback) {
           feedback_ = feedback;
-          emitWakeUpSignal();
+          this->emitWakeUpSignal();
         };
     future_goal_handle_ =
         std::make_shared<FutureGoalHandle>(action_client_->async_send_goal(goal_, options));
     time_goal_sent_ = node_->now();
   }
 
-  std::string action_name_;
-  std::shared_ptr<Client> action_client_;
   typename ActionT::Goal goal_;
   bool goal_updated_ = false;
   bool goal_result_available_ = false;
   GoalHandlePtr goal_handle_;
   typename GoalHandle::WrappedResult result_;
   std::shared_ptr<const typename ActionT::Feedback> feedback_;
-  std::chrono::milliseconds cancel_timeout_{0};
+  std::chrono::milliseconds cancel_timeout_;
   std::shared_ptr<FutureGoalHandle> future_goal_handle_;  ///< while the server has not answered
   rclcpp::Time time_goal_sent_;
   bool should_send_goal_ = true;
@@ -154,17 +142,17 @@ class BtActionNode : public detail::ClientLeaf {
     goal_ = typename ActionT::Goal();
     result_ = typename GoalHandle::WrappedResult();
     on_tick();
-    setStatus(BT::NodeStatus::RUNNING);
+    this->setStatus(BT::NodeStatus::RUNNING);
     if (should_send_goal_) send_new_goal();
     return should_send_goal_;
   }
 
   /// Nothing once the server has accepted the goal.
   std::optional<BT::NodeStatus> wait_for_goal_handle() {
-    auto elapsed = since(time_goal_sent_);
+    auto elapsed = this->since(time_goal_sent_);
     if (elapsed < server_timeout_) {
       const auto timeout = std::min(server_timeout_ - elapsed, max_timeout_);
-      if (is_ready_within(*future_goal_handle_, timeout)) {
+      if (this->is_ready_within(*future_goal_handle_, timeout)) {
         goal_handle_ = future_goal_handle_->get();
         future_goal_handle_.reset();
         if (goal_handle_) return std::nullopt;
@@ -186,8 +174,8 @@ class BtActionNode : public detail::ClientLeaf {
 
   /// A goal that the server has not answered yet would go on when it is not cancelled, too.
   void take_late_goal_handle() {
-    if (!future_goal_handle_ || status() != BT::NodeStatus::RUNNING) return;
-    if (is_ready_within(*future_goal_handle_, server_timeout_)) {
+    if (!future_goal_handle_ || this->status() != BT::NodeStatus::RUNNING) return;
+    if (this->is_ready_within(*future_goal_handle_, server_timeout_)) {
       goal_handle_ = future_goal_handle_->get();
     }
     future_goal_handle_.reset();

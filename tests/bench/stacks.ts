@@ -13,7 +13,7 @@ const RUNS = 10;
 /** The time in the site divided by the native time. */
 const RATIO_AIM = 2.5;
 const LEAST_POSES = 980;
-/** Of a cycle of DWB, in ms. */
+/** A cycle of DWB takes at most this many ms. */
 const CYCLE_AIM = 15;
 const SIZE_AIM = 250_000;
 const PROGRAMS = ['nav2_planner/planner_server', 'nav2_controller/controller_server', 'nav2_behaviors/behavior_server', 'nav2_bt_navigator/bt_navigator',

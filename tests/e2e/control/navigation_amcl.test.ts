@@ -9,6 +9,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { said } from '../support/room_robot.ts';
 
@@ -174,19 +175,7 @@ using namespace std::chrono_literals;
 using geometry_msgs::msg::PoseWithCovarianceStamped;
 using sensor_msgs::msg::LaserScan;
 
-rclcpp::Node::SharedPtr node;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-bool spin_until(const std::function<bool()>& is_done, std::chrono::nanoseconds most = 20s) {
-  const auto end = node->now() + rclcpp::Duration(most);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(1ms);
-  }
-  return is_done();
-}
+${driverStart}
 
 template <typename ServiceT>
 typename ServiceT::Response call(const std::string& name, std::shared_ptr<typename ServiceT::Request> request = std::make_shared<typename ServiceT::Request>()) {

@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { said } from '../support/room_robot.ts';
 import { wheeledBase } from '../support/wheeled_base.ts';
@@ -160,6 +161,8 @@ const driver = `
 #include <functional>
 #include <limits>
 
+#include "composition_interfaces/srv/list_nodes.hpp"
+#include "composition_interfaces/srv/unload_node.hpp"
 #include "geometry_msgs/msg/pose2_d.hpp"
 #include "geometry_msgs/msg/twist_stamped.hpp"
 #include "lifecycle_msgs/msg/transition.hpp"
@@ -184,27 +187,10 @@ using nav2_msgs::action::DriveOnHeading;
 using nav2_msgs::action::Spin;
 using nav2_msgs::action::Wait;
 
-rclcpp::Node::SharedPtr node;
+${driverStart}
+
 nav_msgs::msg::Odometry odometry;
 rclcpp::Publisher<geometry_msgs::msg::Pose2D>::SharedPtr places;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-template <typename FutureT>
-auto wait(FutureT future) {
-  rclcpp::spin_until_future_complete(node, future);
-  return future.get();
-}
-
-bool pass(std::chrono::nanoseconds time, const std::function<bool()>& is_done = [] { return false; }) {
-  const auto end = node->now() + rclcpp::Duration(time);
-  while (rclcpp::ok() && node->now() < end && !is_done()) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(5ms);
-  }
-  return is_done();
-}
 
 double x() { return odometry.pose.pose.position.x; }
 double yaw() { return tf2::getYaw(odometry.pose.pose.orientation); }
@@ -243,7 +229,7 @@ class Behavior {
   /// The same, and the robot stands.
   void stop(const char* what, const Handle& handle) {
     end(what, handle);
-    if (!pass(500ms, stands)) say("moves by %.2f and %.2f", odometry.twist.twist.linear.x, odometry.twist.twist.angular.z);
+    if (!spin_until(stands, 500ms)) say("moves by %.2f and %.2f", odometry.twist.twist.linear.x, odometry.twist.twist.angular.z);
     pass(100ms);
   }
   void run(const char* what, const typename ActionT::Goal& goal) {
@@ -339,23 +325,43 @@ void early_ends(Behavior<DriveOnHeading>& drive, Behavior<Wait>& pause) {
 void steers(Behavior<AssistedTeleop>& teleop) {
   const auto commands = node->create_publisher<geometry_msgs::msg::Twist>("cmd_vel_teleop", 1);
   const auto ends = node->create_publisher<std_msgs::msg::Empty>("preempt_teleop", 1);
+  geometry_msgs::msg::Twist velocity;
+  const auto velocities = node->create_subscription<geometry_msgs::msg::Twist>("cmd_vel", 1, [&](const geometry_msgs::msg::Twist& one) { velocity = one; });
   pass(300ms);
-  place(0, 0);
-  const auto handle = teleop.send(AssistedTeleop::Goal());
+  // The nose to the left, and the wall at the right.
+  place(0.75, M_PI / 2);
   geometry_msgs::msg::Twist command;
+  command.linear.y = 0.4;
+  commands->publish(command);
+  pass(300ms);
+  auto handle = teleop.send(AssistedTeleop::Goal());
+  pass(500ms);
+  say("nobody steers %d", velocity.linear.y == 0 && stands());
+  commands->publish(command);
+  say("away from the wall %d", spin_until([&] { return velocity.linear.y == 0.4; }, 2s));
+  place(0.75, M_PI / 2);
+  command.linear.y = -0.4;
+  commands->publish(command);
+  pass(300ms);
+  say("to the wall %d", velocity.linear.y > -0.3 && velocity.linear.y <= 0);
+  ends->publish(std_msgs::msg::Empty());
+  teleop.stop("aside", handle);
+  place(0, 0);
+  handle = teleop.send(AssistedTeleop::Goal());
+  command.linear.y = 0;
   command.linear.x = 0.4;
   commands->publish(command);
   // 0.2 s before the outline meets the wall, at first.
-  say("unchanged %d", pass(2s, [] { return odometry.twist.twist.linear.x == 0.4; }));
-  say("slower %d", pass(4s, [] { return odometry.twist.twist.linear.x > 0 && odometry.twist.twist.linear.x < 0.3; }));
-  say("stands %d before the wall %d", pass(8s, stands), x() > 0.4 && x() < 0.6);
+  say("unchanged %d", spin_until([] { return odometry.twist.twist.linear.x == 0.4; }, 2s));
+  say("slower %d", spin_until([] { return odometry.twist.twist.linear.x > 0 && odometry.twist.twist.linear.x < 0.3; }, 4s));
+  say("stands %d before the wall %d", spin_until(stands, 8s), x() > 0.4 && x() < 0.6);
   command.linear.x = std::numeric_limits<double>::quiet_NaN();
   commands->publish(command);
   pass(300ms);
   say("still stands %d", stands());
   command.linear.x = -0.2;
   commands->publish(command);
-  say("back %d", pass(2s, [] { return odometry.twist.twist.linear.x == -0.2; }));
+  say("back %d", spin_until([] { return odometry.twist.twist.linear.x == -0.2; }, 2s));
   ends->publish(std_msgs::msg::Empty());
   teleop.stop("done", handle);
   AssistedTeleop::Goal goal;
@@ -397,6 +403,7 @@ void configures() {
   configure("cycle_frequency", 0);
   wait(parameters->set_parameters({rclcpp::Parameter("cycle_frequency", 20.0)}));
   configure("simulation_time_step", 0);
+  configure("simulation_time_step", 1e-9);
   configure("simulation_time_step", 0.2);
 }
 
@@ -417,8 +424,19 @@ void lost_server() {
   pass(300ms);
   pause.cancel(handle);
   pause.end("cancelled", handle);
-  pass(1s, [&count] { return count > 0; });
+  spin_until([&count] { return count > 0; }, 1s);
   say("%d stamped: %s %.1f %.1f", count, last.header.frame_id.c_str(), last.twist.linear.x, last.twist.angular.z);
+  // Its goal still runs when the component is unloaded.
+  const auto last_goal = pause.send(seconds(50));
+  pass(300ms);
+  using composition_interfaces::srv::UnloadNode;
+  const auto unloader = node->create_client<UnloadNode>("spare_container/_container/unload_node");
+  unloader->wait_for_service();
+  auto request = std::make_shared<UnloadNode::Request>();
+  request->unique_id = 1;
+  say("unloaded %d", wait(unloader->async_send_request(request).future.share())->success);
+  const auto lister = node->create_client<composition_interfaces::srv::ListNodes>("spare_container/_container/list_nodes");
+  say("nodes %zu", wait(lister->async_send_request(std::make_shared<composition_interfaces::srv::ListNodes::Request>()).future.share())->unique_ids.size());
 }
 
 int main(int argc, char** argv) {
@@ -456,8 +474,8 @@ const xml = `<library path="house_moves_plugins">
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  const libraries = ['geometry_msgs', 'lifecycle_msgs', 'nav2_behaviors', 'nav2_core', 'nav2_lifecycle_manager', 'nav2_msgs', 'nav2_util', 'nav_msgs',
-    'pluginlib', 'rclcpp', 'rclcpp_action', 'std_msgs', 'tf2_geometry_msgs', 'tf2_ros'];
+  const libraries = ['composition_interfaces', 'geometry_msgs', 'lifecycle_msgs', 'nav2_behaviors', 'nav2_core', 'nav2_lifecycle_manager', 'nav2_msgs',
+    'nav2_util', 'nav_msgs', 'pluginlib', 'rclcpp', 'rclcpp_action', 'std_msgs', 'tf2_geometry_msgs', 'tf2_ros'];
   workspace.addPackage('house_moves', { base: wheeledBase, driver }, {
     depends: [...libraries, 'nav2_common', 'nav2_controller', 'rclcpp_components'],
     cmake: `${[...libraries, 'nav2_common'].map((name) => `find_package(${name} REQUIRED)`).join('\n')}
@@ -466,7 +484,8 @@ add_library(house_moves_plugins SHARED src/plugin.cpp)
 ament_target_dependencies(house_moves_plugins nav2_behaviors nav2_core nav2_msgs nav2_util pluginlib rclcpp)
 pluginlib_export_plugin_description_file(nav2_core plugins.xml)
 ament_target_dependencies(base geometry_msgs nav2_util nav_msgs rclcpp tf2_ros)
-ament_target_dependencies(driver geometry_msgs lifecycle_msgs nav2_lifecycle_manager nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action std_msgs tf2_geometry_msgs)
+ament_target_dependencies(driver composition_interfaces geometry_msgs lifecycle_msgs nav2_lifecycle_manager nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action
+  std_msgs tf2_geometry_msgs)
 install(TARGETS house_moves_plugins DESTINATION lib)
 install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
 `,
@@ -518,6 +537,10 @@ for (const link of played('shared')) {
       'drive_on_heading cancelled: code 5 error 0',
       'drive_on_heading older: code 6 error 0',
       'drive_on_heading newer: code 4 error 0',
+      'nobody steers 1',
+      'away from the wall 1',
+      'to the wall 1',
+      'assisted_teleop aside: code 4 error 0',
       'unchanged 1',
       'slower 1',
       'stands 1 before the wall 1',
@@ -535,6 +558,8 @@ for (const link of played('shared')) {
       'spare/drive_on_heading lost: code 6 error 722',
       'spare/wait cancelled: code 5 error 0',
       '1 stamped: base_link 0.0 0.0',
+      'unloaded 1',
+      'nodes 0',
       'pause 1',
       'drive_on_heading paused: code 6 error 0',
       'drive_on_heading while paused: refused',
@@ -542,6 +567,7 @@ for (const link of played('shared')) {
       'drive_on_heading again: code 4 error 0',
       'reset 1',
       'cycle_frequency 0.0: state 1',
+      'simulation_time_step 0.0: state 1',
       'simulation_time_step 0.0: state 1',
       'simulation_time_step 0.2: state 2',
       'driver is over',
@@ -554,11 +580,13 @@ for (const link of played('shared')) {
         'Received a preemption request for drive_on_heading, however feature is currently not implemented. Aborting and stopping.',
         'Exceeded time allowance before reaching the assisted_teleopgoal - Exiting assisted_teleop', 'A velocity that is not finite is ignored.',
         'wiggled for 1 s, code 0', 'wiggled for 0 s, code 97', 'wiggle is cleaned up', 'cycle_frequency must be greater than 0',
-        'Failed to configure behaviors. Exception: simulation_time_step must be greater than 0']
+        'Failed to configure behaviors. Exception: simulation_time_step must be greater than 0',
+        'Failed to configure behaviors. Exception: projection_time must be at most 10,000 times simulation_time_step']
     ) assert.ok(server.includes(line), `behavior_server does not say: ${line}\n${output}`);
     const broken = said(output, 'spare.broken').find((line) => line.startsWith('Failed to create'));
     assert.match(broken ?? '', /^Failed to create behavior fly of type nobody::Fly\. Exception: .* does not exist\. Declared types are .*nav2_behaviors::Spin/);
     assert.ok(said(output, 'spare.broken_manager').includes('Failed to change state for node: broken'), output);
-    assert.ok(said(output, 'spare.lost').includes('Initial robot pose is not available.'), output);
+    const lost = said(output, 'spare.lost');
+    for (const line of ['Initial robot pose is not available.', 'Deactivating', 'Cleaning up']) assert.ok(lost.includes(line), output);
   });
 }

@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { base, costmap, room, roomYaml, said } from '../support/room_robot.ts';
 import { trees } from '../support/tour_trees.ts';
@@ -186,6 +187,7 @@ const navigatorXml = `<library path="house_tour_navigator">
 `;
 
 const driver = `
+#include <functional>
 #include <cmath>
 
 #include <filesystem>
@@ -216,27 +218,11 @@ using ToPose = nav2_msgs::action::NavigateToPose;
 using Through = nav2_msgs::action::NavigateThroughPoses;
 using Tour = nav2_msgs::action::DummyBehavior;
 
-rclcpp::Node::SharedPtr node;
+${driverStart}
+
 nav_msgs::msg::Odometry odometry;
 geometry_msgs::msg::Twist command;
 std::string trees;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-template <typename FutureT>
-auto wait(FutureT future) {
-  rclcpp::spin_until_future_complete(node, future);
-  return future.get();
-}
-
-void pass(std::chrono::nanoseconds time) {
-  const auto end = node->now() + rclcpp::Duration(time);
-  while (rclcpp::ok() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(5ms);
-  }
-}
 
 PoseStamped pose(double x, double y, double yaw = 0) {
   PoseStamped result;

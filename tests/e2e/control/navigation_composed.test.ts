@@ -9,6 +9,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 
 const watchdog = { timeout: 500_000 };
@@ -113,35 +114,23 @@ using namespace std::chrono_literals;
 using Wait = nav2_msgs::action::Wait;
 using Handle = rclcpp_action::ClientGoalHandle<Wait>;
 
-rclcpp::Node::SharedPtr node;
+${driverStart}
+
 rclcpp_action::Client<Wait>::SharedPtr client;
 int feedbacks = 0;
-
-bool spin_until(const std::function<bool()>& is_done) {
-  const auto end = node->now() + rclcpp::Duration(60s);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(2ms);
-  }
-  return is_done();
-}
 
 Handle::SharedPtr send(int seconds) {
   Wait::Goal goal;
   goal.time.sec = seconds;
   rclcpp_action::Client<Wait>::SendGoalOptions options;
   options.feedback_callback = [](Handle::SharedPtr, const std::shared_ptr<const Wait::Feedback>) { ++feedbacks; };
-  auto future = client->async_send_goal(goal, options);
-  rclcpp::spin_until_future_complete(node, future);
-  return future.get();
+  return wait(client->async_send_goal(goal, options));
 }
 
 void say_end(const char* what, const Handle::SharedPtr& handle) {
-  auto future = client->async_get_result(handle);
-  rclcpp::spin_until_future_complete(node, future);
-  const auto code = future.get().code;
-  RCLCPP_INFO(node->get_logger(), "%s %s", what,
-              code == rclcpp_action::ResultCode::SUCCEEDED ? "succeeded" : code == rclcpp_action::ResultCode::CANCELED ? "canceled" : "aborted");
+  const auto code = wait(client->async_get_result(handle)).code;
+  say("%s %s", what,
+      code == rclcpp_action::ResultCode::SUCCEEDED ? "succeeded" : code == rclcpp_action::ResultCode::CANCELED ? "canceled" : "aborted");
 }
 
 int main(int argc, char** argv) {

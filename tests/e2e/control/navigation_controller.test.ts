@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { base, costmap, room, roomYaml, said } from '../support/room_robot.ts';
 
@@ -134,6 +135,7 @@ PLUGINLIB_EXPORT_CLASS(house_drive::Never, nav2_core::GoalChecker)
 `;
 
 const driver = `
+#include <functional>
 #include <cmath>
 
 #include "nav2_costmap_2d/costmap_subscriber.hpp"
@@ -153,28 +155,12 @@ using geometry_msgs::msg::PoseStamped;
 using ToPose = nav2_msgs::action::ComputePathToPose;
 using Follow = nav2_msgs::action::FollowPath;
 
-rclcpp::Node::SharedPtr node;
+${driverStart}
+
 nav_msgs::msg::Odometry odometry;
 double fastest = 0;
 rclcpp_action::Client<ToPose>::SharedPtr planner;
 rclcpp_action::Client<Follow>::SharedPtr follower;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-template <typename FutureT>
-auto wait(FutureT future) {
-  rclcpp::spin_until_future_complete(node, future);
-  return future.get();
-}
-
-void pass(std::chrono::nanoseconds time) {
-  const auto end = node->now() + rclcpp::Duration(time);
-  while (rclcpp::ok() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(5ms);
-  }
-}
 
 PoseStamped pose(double x, double y, double yaw = 0) {
   PoseStamped result;

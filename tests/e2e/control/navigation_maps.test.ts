@@ -18,6 +18,7 @@ import { after, before, test } from 'node:test';
 import { crc32, deflateSync } from 'node:zlib';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { said } from '../support/room_robot.ts';
 
@@ -132,19 +133,7 @@ const head = `
 using namespace std::chrono_literals;
 using nav_msgs::msg::OccupancyGrid;
 
-inline rclcpp::Node::SharedPtr node;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-inline bool spin_until(const std::function<bool()>& is_done, std::chrono::nanoseconds most = 60s) {
-  const auto end = node->now() + rclcpp::Duration(most);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(2ms);
-  }
-  return is_done();
-}
+${driverStart}
 
 inline std::string text_of(const OccupancyGrid& map) {
   std::string text = std::to_string(map.info.width) + "x" + std::to_string(map.info.height) + ":";

@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { said } from '../support/room_robot.ts';
 
@@ -160,21 +161,7 @@ using namespace std::chrono_literals;
 using geometry_msgs::msg::PolygonStamped;
 using geometry_msgs::msg::Twist;
 
-rclcpp::Node::SharedPtr node;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-bool spin_until(const std::function<bool()>& is_done, std::chrono::nanoseconds most = 60s) {
-  const auto end = node->now() + rclcpp::Duration(most);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(2ms);
-  }
-  return is_done();
-}
-
-void pass(std::chrono::nanoseconds time) { spin_until([] { return false; }, time); }
+${driverStart}
 
 /// Runs in a room: what its sensors see is set from outside.
 struct Robot {
@@ -429,6 +416,10 @@ int main(int argc, char** argv) {
   places->publish(robot.box("odom", 3.0F, 3.2F));
   spin_until([&] { return detections == "Front. Place! "; }, 3s);
   say("detector: %s", detections.c_str());
+  // The place stays in the world when the robot moves.
+  robot.x = 0;
+  spin_until([&] { return detections == "Front. Place. "; }, 3s);
+  say("detector of a robot that moved: %s", detections.c_str());
 
   say("%s", "driver is over");
   rclcpp::shutdown();
@@ -500,6 +491,7 @@ for (const link of played('shared', 'port')) {
       'not a number: nothing',
       'all well: 1.00 0.00',
       'detector: Front. Place! ',
+      'detector of a robot that moved: Front. Place. ',
       'driver is over',
     ], output);
     const monitor = said(output, 'collision_monitor');
@@ -508,11 +500,11 @@ for (const link of played('shared', 'port')) {
         'Robot to stop due to Stop polygon', 'Robot to stop due to Rear polygon', 'Robot to approach for 2.000000 seconds away from collision',
         'Robot to continue normal operation', 'Robot to stop due to invalid source. Either due to data not published yet, or to lack of new data'
         + ' received within the sensor timeout, or if impossible to transform data to base frame',
-        'Velocity is not covered by any of the velocity polygons. x: -3.000 y: 0.000 tw: 0.000 ',
-        '[cloud]: A cloud cannot be used: it needs fields of type float32, and as much data as its size says',
-        '[scan]: Its data cannot be used: cannot store a negative time point in rclcpp::Time', '[peers]: A polygon of a negative time is ignored',
-        '[sonar]: A field of view of 1000000000.000000 rad cannot be used', 'Velocity message contains NaNs or Infs! Ignoring as invalid!',
-        '[Slow]: A radius has to be a number of at least 0, and is -1.000000']
+        'Velocity is not covered by any of the velocity polygons. x: -3.000 y: 0.000 tw: 0.000 ', 'Source peers is invalid', 'Source scan is invalid',
+        'Source cloud is invalid', '[cloud]: A cloud cannot be used: it has 48 bytes, and width * height * point_step is 16000',
+        '[scan]: The data of this source cannot be used: cannot store a negative time point in rclcpp::Time',
+        '[peers]: A polygon of a negative time is ignored', '[sonar]: A field of view has to be from 0 to 2 pi, and is 1000000000.000000 rad',
+        'Velocity message contains NaNs or Infs! Ignoring as invalid!', '[Slow]: A radius has to be a number above 0, and is -1.000000']
     ) assert.ok(monitor.includes(line), `collision_monitor does not say: ${line}\n${output}`);
     assert.match(output, /\[collision_detector\]: Invalid source scan detected\. Either due to data not published yet/);
   });

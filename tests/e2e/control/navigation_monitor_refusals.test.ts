@@ -7,6 +7,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { said } from '../support/room_robot.ts';
 
@@ -27,7 +28,9 @@ def generate_launch_description():
         ComposableNodeContainer(
             name='container', namespace='', package='rclcpp_components', executable='component_container', output='screen',
             composable_node_descriptions=[ComposableNode(package='nav2_collision_monitor', plugin='nav2_collision_monitor::CollisionMonitor',
-                                                         name='spare', parameters=[params])]),
+                                                         name='spare', parameters=[params]),
+                                          ComposableNode(package='nav2_collision_monitor', plugin='nav2_collision_monitor::CollisionDetector',
+                                                         name='detector', parameters=[params])]),
         Node(package='refused', executable='driver', output='screen'),
     ])
 `;
@@ -44,8 +47,25 @@ spare:
       topic: "scan"
     Zone:
       slowdown_ratio: -0.5
+      radius: 0.0
       simulation_time_step: 0.0
       sources_names: ["nose"]
+detector:
+  ros__parameters:
+    observation_sources: ["eye"]
+    eye:
+      topic: "scan"
+    polygons: ["Zone"]
+    Zone:
+      type: "velocity_polygon"
+      action_type: "none"
+      velocity_polygons: ["forward"]
+      forward:
+        points: "[[1, 1], [1, -1], [-1, -1], [-1, 1]]"
+        linear_min: -1.0
+        linear_max: 1.0
+        theta_min: -1.0
+        theta_max: 1.0
 `;
 
 const driver = `
@@ -61,19 +81,7 @@ const driver = `
 using namespace std::chrono_literals;
 using geometry_msgs::msg::TwistStamped;
 
-rclcpp::Node::SharedPtr node;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-bool spin_until(const std::function<bool()>& is_done, std::chrono::nanoseconds most = 60s) {
-  const auto end = node->now() + rclcpp::Duration(most);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(2ms);
-  }
-  return is_done();
-}
+${driverStart}
 
 /// A wall 1.55 m ahead of the robot.
 sensor_msgs::msg::LaserScan wall() {
@@ -129,11 +137,22 @@ void try_spare() {
   set("Zone.sources_names", Value(Names{"eye"}));
   set("Zone.action_type", Value("slowdown"));
   configure("backwards");
+  set("Zone.slowdown_ratio", Value(30.0));
+  configure("percents");
   set("Zone.action_type", Value("approach"));
   configure("no step");
   set("Zone.simulation_time_step", Value(0.1));
+  set("Zone.points", Value("[[1, 1], [1, -1]"));
+  configure("half a list, with a footprint to fall back on");
+  set("Zone.type", Value("circle"));
+  configure("no radius");
+  set("Zone.type", Value("polygon"));
+  set("Zone.points", Value("[[1, 1], [1, -1], [-1, -1], [-1, 1]]"));
   configure("all is well");
   client.change_state(lifecycle_msgs::msg::Transition::TRANSITION_ACTIVATE, 20s);
+  nav2_util::LifecycleServiceClient detector("detector", node);
+  detector.change_state(lifecycle_msgs::msg::Transition::TRANSITION_CONFIGURE, 20s);
+  say("detector: %s", detector.get_state(20s) == lifecycle_msgs::msg::State::PRIMARY_STATE_UNCONFIGURED ? "refused" : "configured");
 }
 
 int main(int argc, char** argv) {
@@ -183,8 +202,9 @@ test('mistakes in parameters are named, and what is right works', watchdog, asyn
   assert.equal(run.code, 0, output);
   assert.deepEqual(said(output, 'driver'), [
     ...['nothing', 'a sonar', 'no polygons', 'no type', 'a blob', 'no action', 'flying', 'half a list', 'a triangle', 'three numbers', 'an unknown source',
-      'backwards', 'no step'].map((what) => `${what}: refused`),
+      'backwards', 'percents', 'no step', 'half a list, with a footprint to fall back on', 'no radius'].map((what) => `${what}: refused`),
     'all is well: configured',
+    'detector: refused',
     'stamped: 0.25 in wheels',
     'driver is over',
   ], output);
@@ -194,11 +214,14 @@ test('mistakes in parameters are named, and what is right works', watchdog, asyn
       'Polygon must have at least three points.', 'Points in the polygon specification must be pairs of numbersFound a point with 3 numbers.',
       '[Zone]: Error while getting polygon parameters: static points and sub topic both not defined',
       "Observation source [nose] configured for polygon [Zone] is not defined as one of the node's observation_source!",
-      "[Zone]: Error while getting common polygon parameters: parameter 'Zone.slowdown_ratio' has to be a number from 0.000000 to 1e9, and is -0.500000"]
+      "[Zone]: Error while getting common polygon parameters: parameter 'Zone.slowdown_ratio' has to be a number from 0 to 1, and is -0.5",
+      "[Zone]: Error while getting common polygon parameters: parameter 'Zone.slowdown_ratio' has to be a number from 0 to 1, and is 30"]
   ) assert.ok(zones.includes(line), `nobody says: ${line}\n${output}`);
   const spare = said(output, 'spare');
   for (
     const line of ["Error while getting parameters: parameter 'observation_sources' is not initialized", '[eye]: Unknown source type: sonar',
-      "Error while getting parameters: parameter 'polygons' is not initialized", '[Zone]: Unknown polygon type: blob']
+      "Error while getting parameters: parameter 'polygons' is not initialized", '[Zone]: Unknown polygon type: blob',
+      "Error while getting parameters: parameter 'Zone.radius' has to be a number above 0, and is 0.000000"]
   ) assert.ok(spare.includes(line), `spare does not say: ${line}\n${output}`);
+  assert.match(output, /\[detector\]: \[Zone\]: The collision detector knows no velocity/);
 });

@@ -11,6 +11,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { room, said } from '../support/room_robot.ts';
 
@@ -193,6 +194,7 @@ PLUGINLIB_EXPORT_CLASS(house_planner::StripeLayer, nav2_costmap_2d::Layer)
 `;
 
 const driver = `
+#include <functional>
 #include <cmath>
 #include <limits>
 
@@ -219,25 +221,14 @@ using geometry_msgs::msg::PoseStamped;
 using ToPose = nav2_msgs::action::ComputePathToPose;
 using ThroughPoses = nav2_msgs::action::ComputePathThroughPoses;
 
-rclcpp::Node::SharedPtr node;
+${driverStart}
+
 std::shared_ptr<tf2_ros::TransformBroadcaster> broadcaster;
 rclcpp::Publisher<sensor_msgs::msg::LaserScan>::SharedPtr scans;
 rclcpp::Publisher<sensor_msgs::msg::PointCloud2>::SharedPtr clouds;
 double block = 0;  // m in front of the robot; 0: nothing; less: the lidar is covered
 bool sees_box = false;
 int looks = 0;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-bool spin_until(const std::function<bool()>& is_done, std::chrono::nanoseconds most = 60s) {
-  const auto end = node->now() + rclcpp::Duration(most);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(2ms);
-  }
-  return is_done();
-}
 
 double world(int cell) { return -2.5 + (cell + 0.5) * 0.05; }
 

@@ -7,6 +7,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { room, said } from '../support/room_robot.ts';
 
@@ -36,6 +37,8 @@ def generate_launch_description():
                 ComposableNode(package='nav2_smoother', plugin='nav2_smoother::SmootherServer', name='spare', namespace='apart',
                                parameters=[{'costmap_topic': 'nobody/costmap_raw'}]),
                 ComposableNode(package='nav2_smoother', plugin='nav2_smoother::SmootherServer', name='wrong', parameters=[params]),
+                ComposableNode(package='nav2_smoother', plugin='nav2_smoother::SmootherServer', name='wild', parameters=[
+                    {'simple_smoother.plugin': 'nav2_smoother::SimpleSmoother', 'simple_smoother.w_smooth': 1.5}]),
             ]),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation', output='screen',
              parameters=[{'autostart': True, 'node_names': lifecycle_nodes}]),
@@ -50,7 +53,13 @@ smoother_server:
     footprint_topic: global_costmap/published_footprint
     robot_base_frame: base_link
     transform_tolerance: 0.1
-    smoother_plugins: ["simple_smoother", "savitzky_golay", "own"]
+    smoother_plugins: ["simple_smoother", "savitzky_golay", "own", "simple_once", "filter_once"]
+    simple_once:
+      plugin: "nav2_smoother::SimpleSmoother"
+      refinement_num: 0
+    filter_once:
+      plugin: "nav2_smoother::SavitzkyGolaySmoother"
+      do_refinement: False
     simple_smoother:
       plugin: "nav2_smoother::SimpleSmoother"
       tolerance: 1.0e-10
@@ -134,6 +143,7 @@ PLUGINLIB_EXPORT_CLASS(smooth_house::Middle, nav2_core::Smoother)
 `;
 
 const driver = `
+#include <functional>
 #include <cmath>
 
 #include "lifecycle_msgs/msg/state.hpp"
@@ -158,19 +168,7 @@ using nav_msgs::msg::Path;
 using SmoothPath = nav2_msgs::action::SmoothPath;
 using ToPose = nav2_msgs::action::ComputePathToPose;
 
-rclcpp::Node::SharedPtr node;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-bool spin_until(const std::function<bool()>& is_done, std::chrono::nanoseconds most = 60s) {
-  const auto end = node->now() + rclcpp::Duration(most);
-  while (rclcpp::ok() && !is_done() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(2ms);
-  }
-  return is_done();
-}
+${driverStart}
 
 geometry_msgs::msg::PoseStamped pose(double x, double y, double yaw) {
   geometry_msgs::msg::PoseStamped result;
@@ -281,6 +279,9 @@ int main(int argc, char** argv) {
   compare("zigzag", crooked, smooth("simple", "simple_smoother", crooked, true));
   compare("zigzag", crooked, smooth("filter", "savitzky_golay", crooked, true));
   compare("zigzag", crooked, smooth("own", "own", crooked));
+  const double once[] = {bend(smooth("simple once", "simple_once", crooked)), bend(smooth("filter once", "filter_once", crooked))};
+  const double refined[] = {bend(smooth("simple again", "simple_smoother", crooked)), bend(smooth("filter again", "savitzky_golay", crooked))};
+  say("refined %d %d", refined[0] < 0.9 * once[0], refined[1] < 0.9 * once[1]);
   spin_until([&] { return published == 30; }, 5s);
   say("published %zu", published);
 
@@ -327,6 +328,7 @@ int main(int argc, char** argv) {
 
   using lifecycle_msgs::msg::State;
   using lifecycle_msgs::msg::Transition;
+  say("wild: %d", change("wild", {Transition::TRANSITION_CONFIGURE}) == State::PRIMARY_STATE_UNCONFIGURED);
   say("wrong: %d", change("wrong", {Transition::TRANSITION_CONFIGURE}) == State::PRIMARY_STATE_UNCONFIGURED);
   say("spare: %d", change("apart/spare", {Transition::TRANSITION_CONFIGURE, Transition::TRANSITION_ACTIVATE}) == State::PRIMARY_STATE_ACTIVE);
   smooth("without a costmap", "", crooked, false, 5.0, "apart/smooth_path");
@@ -382,6 +384,11 @@ test('paths are smoothed, and what cannot be is answered by its code', watchdog,
     'zigzag: shorter 1 straighter 1 ends 1',
     'own: code 4 error 0 completed 1',
     'zigzag: shorter 1 straighter 0 ends 1',
+    'simple once: code 4 error 0 completed 1',
+    'filter once: code 4 error 0 completed 1',
+    'simple again: code 4 error 0 completed 1',
+    'filter again: code 4 error 0 completed 1',
+    'refined 1 1',
     'published 30',
     'around the wall: code 4 error 0 completed 1',
     'longer than 6 m 1, shorter than before 1',
@@ -406,6 +413,7 @@ test('paths are smoothed, and what cannot be is answered by its code', watchdog,
     'own, short: code 4 error 0 completed 0',
     'own, long: code 6 error 504 completed 0',
     'own, few: code 6 error 500 completed 0',
+    'wild: 1',
     'wrong: 1',
     'spare: 1',
     'without a costmap: code 6 error 500 completed 0',
@@ -413,8 +421,8 @@ test('paths are smoothed, and what cannot be is answered by its code', watchdog,
   ], output);
   for (
     const line of ['Created smoother : simple_smoother of type nav2_smoother::SimpleSmoother', 'own is ready',
-      'Smoother Server has simple_smoother savitzky_golay own  smoothers available.', 'Received a path to smooth.',
-      'SmoothPath called with smoother name nobody, which does not exist. Available smoothers are: simple_smoother savitzky_golay own .',
+      'Smoother Server has simple_smoother savitzky_golay own simple_once filter_once  smoothers available.', 'Received a path to smooth.',
+      'SmoothPath called with smoother name nobody, which does not exist. Available smoothers are: simple_smoother savitzky_golay own simple_once filter_once .',
       'Invalid Smoother: nobody', 'Requested path to smooth is empty', 'Requested path to smooth is invalid', 'Requested path to smooth contains NaNs or Infs',
       'Smoothing time exceeded allowed duration of 0.00.', 'Smoothing time exceed allowed duration', 'too many poses', 'too few poses']
   ) assert.ok(server.includes(line), `smoother_server does not say: ${line}\n${output}`);

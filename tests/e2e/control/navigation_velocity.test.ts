@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
 import { played } from '../../support/nightly.ts';
+import { driverStart } from '../support/driver.ts';
 import { PackWorkspace } from '../support/pack_workspace.ts';
 import { said } from '../support/room_robot.ts';
 
@@ -55,26 +56,17 @@ velocity_smoother:
 `;
 
 const driver = `
+#include <functional>
 #include <geometry_msgs/msg/twist.hpp>
 #include <rclcpp/rclcpp.hpp>
 
 using namespace std::chrono_literals;
 using geometry_msgs::msg::Twist;
 
-rclcpp::Node::SharedPtr node;
+${driverStart}
+
 std::vector<double> speeds;
 std::vector<double> times;
-
-template <typename... T>
-void say(const char* format, T... values) { RCLCPP_INFO(node->get_logger(), format, values...); }
-
-void pass(std::chrono::nanoseconds time) {
-  const auto end = node->now() + rclcpp::Duration(time);
-  while (rclcpp::ok() && node->now() < end) {
-    rclcpp::spin_some(node);
-    rclcpp::sleep_for(5ms);
-  }
-}
 
 std::string listed(size_t first, size_t count) {
   std::string text;
@@ -325,7 +317,7 @@ for (const link of played('shared', 'port')) {
       'set: 0 Invalid size of parameter deadband_velocity. Must be size 3',
       'set: 0 smoothing_frequency must be greater than 0 and at most 1000 Hz',
       'set: 0 Invalid feedback_type, options are OPEN_LOOP and CLOSED_LOOP.',
-      'set: 0 velocity_timeout must be a number of seconds',
+      'set: 0 velocity_timeout must be from -9e9 to 9e9 seconds',
       ...Array.from({ length: 5 }, () => 'set: 1 '),
       'at 10 Hz: 0.000 0.500 0.000',
       'a component: 0.050 0.100 0.150 0.200',

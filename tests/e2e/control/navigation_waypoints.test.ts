@@ -39,10 +39,13 @@ def generate_launch_description():
                                     package='nav2_waypoint_follower', plugin='nav2_waypoint_follower::WaypointFollower',
                                     name='waypoint_follower', namespace=names[-1])]),
         follower('broken'),
+        follower('tiff'),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation', parameters=[{
             'autostart': True, 'bond_timeout': 0.0, 'node_names': [f'{name}/waypoint_follower'.strip('/') for name in names]}]),
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_broken', parameters=[{
             'autostart': True, 'bond_timeout': 0.0, 'node_names': ['broken/waypoint_follower']}]),
+        Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_tiff', parameters=[{
+            'autostart': True, 'bond_timeout': 0.0, 'node_names': ['tiff/waypoint_follower']}]),
         Node(package='mail', executable='navigation'),
         Node(package='mail', executable='driver'),
     ])
@@ -90,6 +93,13 @@ broken:
       waypoint_task_executor_plugin: "paint"
       paint:
         plugin: "mail_tasks::Paint"
+tiff:
+  waypoint_follower:
+    ros__parameters:
+      waypoint_task_executor_plugin: "photo"
+      photo:
+        plugin: "nav2_waypoint_follower::PhotoAtWaypoint"
+        image_format: "tiff"
 `;
 
 const tasks = `
@@ -248,6 +258,13 @@ class Driver(Node):
         result = self.wait(self.settings.call_async(request)).results[0]
         self.say(f'{name}: {result.successful} {result.reason}'.rstrip())
 
+    def deactivate(self, space):
+        change = self.create_client(ChangeState, f'{space}/waypoint_follower/change_state')
+        change.wait_for_service()
+        request = ChangeState.Request()
+        request.transition.id = Transition.TRANSITION_DEACTIVATE
+        self.say(f'deactivated {self.wait(change.call_async(request)).success}')
+
     def pause(self, seconds):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
@@ -281,6 +298,7 @@ def main():
     driver.follow('refused', [60, 3])
     driver.set('stop_on_failure', False)
     driver.set('loop_rate', 0)
+    driver.set('loop_rate', 4294967346)
     driver.set('loop_rate', 50)
     driver.follow('went on', [1, 50, 3, 60, 5])
 
@@ -296,12 +314,30 @@ def main():
     second = driver.sent(driver.followers[''], FollowWaypoints.Goal(poses=[pose(8), pose(9)]))
     driver.say(f'preempted: status {driver.wait(first.get_result_async()).status}')
     driver.tell('second', second)
+    # Missed waypoints belong to the goal that they are part of.
+    first = driver.sent(driver.followers[''], FollowWaypoints.Goal(poses=[pose(50), pose(70)]))
+    while driver.indices[-1:] != [1]:
+        driver.pause(0.05)
+    driver.pause(0.3)
+    second = driver.sent(driver.followers[''], FollowWaypoints.Goal(poses=[pose(8)]))
+    driver.tell('after a miss', second)
+    # A goal that cannot be used ends the one before, and its navigation.
+    first = driver.sent(driver.followers[''], FollowWaypoints.Goal(poses=[pose(70)]))
+    driver.pause(0.5)
+    driver.tell('none, later', driver.sent(driver.followers[''], FollowWaypoints.Goal(poses=[])))
+    driver.pause(0.3)
+    driver.say('nothing is followed')
 
     place = GeoPose()
     place.position.latitude = 47.004
     place.position.longitude = 8.003
     place.orientation.w = 0.5
     driver.tell('on the globe', driver.sent(driver.gps, FollowGPSWaypoints.Goal(gps_poses=[place])))
+    first = driver.sent(driver.followers[''], FollowWaypoints.Goal(poses=[pose(70)]))
+    driver.pause(0.5)
+    driver.tell('on the globe, too', driver.sent(driver.gps, FollowGPSWaypoints.Goal(gps_poses=[place])))
+    driver.wait(first.cancel_goal_async())
+    driver.tell('alone', first)
 
     goal = FollowWaypoints.Goal(poses=[pose(1), pose(2)])
     handle = driver.sent(driver.followers['/asking'], goal)
@@ -322,12 +358,12 @@ def main():
     driver.tell('given up', handle)
     handle = driver.sent(driver.followers['/lonely'], FollowWaypoints.Goal(poses=[pose(1)]))
     driver.pause(0.3)
-    change = driver.create_client(ChangeState, '/lonely/waypoint_follower/change_state')
-    change.wait_for_service()
-    request = ChangeState.Request()
-    request.transition.id = Transition.TRANSITION_DEACTIVATE
-    driver.say(f'deactivated {driver.wait(change.call_async(request)).success}')
+    driver.deactivate('/lonely')
     driver.tell('stopped by its manager', handle)
+    handle = driver.sent(driver.followers['/own'], FollowWaypoints.Goal(poses=[pose(70)]))
+    driver.pause(0.5)
+    driver.deactivate('/own')
+    driver.tell('stopped on its way', handle)
     driver.say(f'accepted by an inactive server: {driver.sent(driver.followers["/lonely"], FollowWaypoints.Goal(poses=[pose(1)])).accepted}')
     driver.say('driver is over')
 `;
@@ -375,13 +411,19 @@ for (const link of played('shared')) {
         'stopped: status 6 missed [(1, 50.0, 204)] error 0 visited [0, 1]',
         'refused: status 6 missed [(0, 60.0, 0)] error 0 visited [0]',
         'stop_on_failure: True',
-        'loop_rate: False loop_rate must be greater than 0',
+        'loop_rate: False loop_rate must be from 1 to 1000 Hz',
+        'loop_rate: False loop_rate must be from 1 to 1000 Hz',
         'loop_rate: True',
         'went on: status 4 missed [(1, 50.0, 204), (3, 60.0, 0)] error 0 visited [0, 1, 2, 3, 4]',
         'cancelled: status 5 missed [] error 0 visited [0, 1]',
         'preempted: status 6',
         'second: status 4 missed [] error 0 visited [0, 1]',
+        'after a miss: status 4 missed [] error 0 visited [0]',
+        'none, later: status 6 missed [] error 0 visited []',
+        'nothing is followed',
         'on the globe: status 4 missed [] error 0 visited [0]',
+        'on the globe, too: status 6 missed [] error 0 visited [0]',
+        'alone: status 5 missed [] error 0 visited [0]',
         'asked: status 4 missed [(1, 2.0, 601)] error 0 visited [0, 1]',
         'no picture: status 6 missed [(0, 1.0, 601)] error 0 visited [0]',
         'picture: status 4 missed [] error 0 visited [0]',
@@ -389,21 +431,28 @@ for (const link of played('shared')) {
         'given up: status 5 missed [] error 0 visited [0]',
         'deactivated True',
         'stopped by its manager: status 6 missed [] error 0 visited [0]',
+        'deactivated True',
+        'stopped on its way: status 6 missed [] error 0 visited [0]',
         'accepted by an inactive server: False',
         'driver is over',
       ], output);
       const places = said(output, 'navigation');
-      for (const line of ['cancelled', 'to 3 4 0.5 in map']) assert.ok(places.includes(line), `navigation does not say: ${line}\n${output}`);
+      assert.ok(places.includes('to 3 4 0.5 in map'), output);
+      // By a cancelled goal twice, by a goal that cannot be used, and by a server that is deactivated.
+      assert.equal(places.filter((line) => line === 'cancelled').length, 4, output);
       const follower = said(output, 'waypoint_follower');
       for (
         const line of ['Received follow waypoint request with 3 waypoints.', "Arrived at 2'th waypoint, sleeping for 200 milliseconds",
           'Starting a new loop, current loop count is 0', 'Completed all 2 waypoints requested.', 'Preempting the goal pose.',
           'Waypoint 3 does not exist; the last one is 2.', 'Converting GPS waypoints to map Frame..',
+          'A goal of the other action is being followed. Cancel it first. Terminating this goal.',
           'navigate_to_pose action client failed to send goal to server.', 'Failed to process waypoint 1, moving to next.',
           'Failed to process waypoint 1 in waypoint list and stop on failure is enabled. Terminating action.']
       ) assert.ok(follower.includes(line), `waypoint_follower does not say: ${line}\n${output}`);
       assert.match(output, /\[broken\.waypoint_follower\]: Failed to create waypoint_task_executor\. Exception: .*mail_tasks::Paint/);
+      assert.match(output, /Exception: photo\.image_format: the format 'tiff' is not supported; use png, jpg, jpeg or bmp/);
       assert.match(output, /Couldn't take photo at waypoint 0! Caught exception: the image has no pixels/);
+      assert.match(output, /\[lonely\.waypoint_follower\]: Waiting for the action server navigate_to_pose/);
       assert.match(output, /\[asking\.waypoint_follower\]: Unable to get external input at wp 1\. Moving on\./);
       const photos = readdirSync(kept, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.png'));
       assert.equal(photos.length, 1, output);

@@ -380,6 +380,56 @@ TEST(LocalizationReadings, TakesNoDifferenceFromAPoseWithAGap) {
   }
 }
 
+TEST(LocalizationReadings, TakesNoDifferenceWithoutARotation) {
+  PoseSource source;
+  PoseReading reading;
+  reading.is_differential = true;
+  for (int64_t i = 0; i < 3; ++i) {
+    reading.pose = pose_of(1.0, 0.1 * static_cast<double>(i), M_PI / 2);
+    reading.pose.linear().setConstant(std::nan(""));
+    Measurement measurement = with({kX, kY}, i * 100 * kMillisecond);
+    EXPECT_FALSE(source.take(reading, {}, measurement)) << "sideways, for all that it knows";
+  }
+  // A pose that lacks it does not stand between two others.
+  reading.pose = pose_of(1.0, 1.0, M_PI / 2);
+  Measurement first = with({kX, kY}, 300 * kMillisecond);
+  EXPECT_FALSE(source.take(reading, {}, first));
+  reading.pose.linear().setConstant(std::nan(""));
+  Measurement second = with({kX, kY}, 400 * kMillisecond);
+  EXPECT_FALSE(source.take(reading, {}, second));
+  reading.pose = pose_of(1.0, 1.4, M_PI / 2);
+  Measurement third = with({kX, kY}, 500 * kMillisecond);
+  ASSERT_TRUE(source.take(reading, {}, third));
+  EXPECT_NEAR(third.values(kVx), 2.0, 1e-9);
+  EXPECT_NEAR(third.values(kVy), 0.0, 1e-9);
+}
+
+TEST(LocalizationReadings, CountsFromAPoseWhoseVarianceIsInfinite) {
+  PoseSource source;
+  PoseReading reading;
+  reading.is_relative = true;
+  reading.covariance.setIdentity();
+  // A camera that does not know its yaw, ever, and its x not at first.
+  reading.covariance(5, 5) = std::numeric_limits<double>::infinity();
+  reading.covariance(0, 0) = std::numeric_limits<double>::infinity();
+  reading.pose = pose_of(5.0, 3.0, 0.0);
+  Measurement first = with({kX, kY, kYaw});
+  ASSERT_TRUE(source.take(reading, {}, first));
+  EXPECT_EQ(first.update, with({kY}).update);
+  reading.covariance(0, 0) = 1.0;
+  reading.pose = pose_of(5.5, 3.25, 0.0);
+  Measurement second = with({kX, kY, kYaw});
+  ASSERT_TRUE(source.take(reading, {}, second));
+  EXPECT_EQ(second.update, with({kX, kY}).update);
+  EXPECT_NEAR(second.values(kX), 0.5, 1e-12);
+  EXPECT_NEAR(second.values(kY), 0.25, 1e-12);
+  // A first pose without a rotation is not one to count from, also when only x is wanted.
+  PoseSource other;
+  reading.pose.linear().setConstant(std::nan(""));
+  Measurement third = with({kX});
+  EXPECT_FALSE(other.take(reading, {}, third));
+}
+
 TEST(LocalizationReadings, PlacesTheWorldOnTheGlobe) {
   // The robot is 3 m ahead of the origin of its world and looks north: its world looks north, too.
   const Eigen::Isometry3d world = world_from_cartesian(

@@ -88,6 +88,23 @@ TEST(PathSmoothing, RelaxationStopsBeforeAnObstacle) {
   for (size_t i = 0; i < path.size(); ++i) EXPECT_EQ(smooth[i].y, path[i].y);
 }
 
+TEST(PathSmoothing, RelaxationStopsInALaterRound) {
+  const PathPoints path = zigzag(30);
+  RelaxationSettings one_round = kDefaults;
+  one_round.most_rounds = 2;
+  PathPoints once = path;
+  EXPECT_EQ(relax(once, one_round, kFree, kInTime), Relaxation::too_many_rounds);
+  // The second round is blocked at its first point.
+  size_t asked = 0;
+  PathPoints smooth = path;
+  EXPECT_EQ(
+      relax(
+          smooth, kDefaults, [&](const PathPoint&) { return ++asked < path.size() - 1; }, kInTime),
+      Relaxation::blocked);
+  for (size_t i = 0; i < path.size(); ++i) EXPECT_EQ(smooth[i].y, once[i].y);
+  EXPECT_NE(smooth[2].y, path[2].y);
+}
+
 TEST(PathSmoothing, RelaxationEnds) {
   PathPoints path = zigzag(30);
   RelaxationSettings settings = kDefaults;

@@ -92,7 +92,7 @@ TEST(VelocityParameters, AxesHaveThreeNumbersOfOneSign) {
   EXPECT_EQ(check_axes("min_velocity", {1.0, 0.0, 0.0}, Moment::kConfigure),
             "Positive values set of min_velocities! These should be negative!");
   EXPECT_EQ(check_axes("deadband_velocity", {nan, 0.0, 0.0}, change),
-            "deadband_velocity must have numbers");
+            "deadband_velocity must not contain NaN");
   EXPECT_EQ(check_axes("deadband_velocity", {-1.0, 0.0, 1.0}, change), "");
   EXPECT_EQ(check_feedback("OPEN_LOOP") + check_feedback("CLOSED_LOOP"), "");
   EXPECT_FALSE(check_feedback("open").empty());

@@ -68,8 +68,7 @@ void DWBLocalPlanner::configure(const rclcpp_lifecycle::LifecycleNode::WeakPtr& 
   pub_ = std::make_unique<DWBPublisher>(node, dwb_plugin_name_);
   pub_->on_configure();
   traj_generator_ = traj_gen_loader_.createUniqueInstance(generator);
-  traj_generator_->initialize(std::static_pointer_cast<nav2_util::LifecycleNode>(node),
-                              dwb_plugin_name_);
+  traj_generator_->initialize(node, dwb_plugin_name_);
   try {
     loadCritics();
   } catch (const std::exception& error) {
@@ -105,7 +104,7 @@ std::string DWBLocalPlanner::resolveCriticClassName(std::string base_name) {
 }
 
 void DWBLocalPlanner::loadCritics() {
-  const auto node = std::static_pointer_cast<nav2_util::LifecycleNode>(node_.lock());
+  const auto node = node_.lock();
   if (!node) throw std::runtime_error{"Failed to lock node"};
   if (default_critic_namespaces_.empty()) default_critic_namespaces_.emplace_back("dwb_critics");
   std::vector<std::string> names;
@@ -176,26 +175,23 @@ Twist2DStamped DWBLocalPlanner::computeVelocityCommands(
   nav_2d_msgs::msg::Path2D plan;
   Pose2DStamped goal;
   prepareGlobalPlan(pose, plan, goal);
-  std::lock_guard<nav2_costmap_2d::Costmap2D::mutex_t> lock(
+  std::unique_lock<nav2_costmap_2d::Costmap2D::mutex_t> lock(
       *costmap_ros_->getCostmap()->getMutex());
   for (const TrajectoryCritic::Ptr& critic : critics_) {
     if (!critic->prepare(pose.pose, velocity, goal.pose, plan)) {
       RCLCPP_WARN(rclcpp::get_logger("DWBLocalPlanner"), "A scoring function failed to prepare");
     }
   }
-  return chooseCommand(pose, velocity, results);
-}
-
-Twist2DStamped DWBLocalPlanner::chooseCommand(const Pose2DStamped& pose, const Twist2D& velocity,
-                                              std::shared_ptr<LocalPlanEvaluation>& results) {
   try {
     const Trajectory2D best = coreScoringAlgorithm(pose.pose, velocity, results).traj;
+    lock.unlock();
     conclude(pose, best);
     Twist2DStamped command;
     command.header.stamp = clock_->now();
     command.velocity = best.velocity;
     return command;
   } catch (const NoLegalTrajectoriesException& error) {
+    lock.unlock();
     conclude(pose, Trajectory2D());
     throw nav2_core::NoValidControl(std::string("Could not find a legal trajectory: ") +
                                     error.what());

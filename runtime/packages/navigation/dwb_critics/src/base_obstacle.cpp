@@ -10,7 +10,7 @@ namespace dwb_critics {
 
 void BaseObstacleCritic::onInit() {
   costmap_ = costmap_ros_->getCostmap();
-  const auto node = std::static_pointer_cast<nav2_util::LifecycleNode>(node_.lock());
+  const auto node = node_.lock();
   sum_scores_ =
       nav_2d_utils::searchAndGetParam(node, dwb_plugin_name_ + "." + name_ + ".sum_scores", false);
 }

@@ -20,7 +20,7 @@ void MapGridCritic::onInit() {
   costmap_ = costmap_ros_->getCostmap();
   queue_ = std::make_shared<MapGridQueue>(*costmap_, *this);
   stop_on_failure_ = true;
-  const auto node = std::static_pointer_cast<nav2_util::LifecycleNode>(node_.lock());
+  const auto node = node_.lock();
   std::string type = nav_2d_utils::searchAndGetParam(
       node, dwb_plugin_name_ + "." + name_ + ".aggregation_type", std::string("last"));
   std::transform(type.begin(), type.end(), type.begin(),

@@ -11,7 +11,7 @@
 namespace dwb_critics {
 
 void OscillationCritic::onInit() {
-  const auto node = std::static_pointer_cast<nav2_util::LifecycleNode>(node_.lock());
+  const auto node = node_.lock();
   const std::string prefix = dwb_plugin_name_ + "." + name_ + ".";
   const auto read = [&](const char* name, double& value) {
     value = nav_2d_utils::searchAndGetParam(node, prefix + name, value);

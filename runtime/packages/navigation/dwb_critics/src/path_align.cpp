@@ -12,7 +12,7 @@ namespace dwb_critics {
 void PathAlignCritic::onInit() {
   PathDistCritic::onInit();
   stop_on_failure_ = false;
-  const auto node = std::static_pointer_cast<nav2_util::LifecycleNode>(node_.lock());
+  const auto node = node_.lock();
   forward_point_distance_ = nav_2d_utils::searchAndGetParam(
       node, dwb_plugin_name_ + "." + name_ + ".forward_point_distance", 0.325);
 }

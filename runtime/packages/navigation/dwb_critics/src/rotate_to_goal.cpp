@@ -22,7 +22,7 @@ double squared(double x, double y) {
 }  // namespace
 
 void RotateToGoalCritic::onInit() {
-  const auto node = std::static_pointer_cast<nav2_util::LifecycleNode>(node_.lock());
+  const auto node = node_.lock();
   const auto read = [&](const std::string& name, double& value) {
     value = nav_2d_utils::searchAndGetParam(node, dwb_plugin_name_ + "." + name, value);
   };

@@ -49,6 +49,8 @@ KinematicsHandler::~KinematicsHandler() {
   const auto node = node_.lock();
   if (dyn_params_handler_ && node) {
     node->remove_on_set_parameters_callback(dyn_params_handler_.get());
+    node->get_node_parameters_interface()->remove_post_set_parameters_callback(
+        post_set_handler_.get());
   }
 }
 
@@ -69,9 +71,20 @@ void KinematicsHandler::initialize(const nav2_util::LifecycleNode::SharedPtr& nh
       nh->add_on_set_parameters_callback([this](std::vector<rclcpp::Parameter> parameters) {
         return dynamicParametersCallback(parameters);
       });
+  // Another callback may refuse the change, so it is applied once all have accepted it.
+  post_set_handler_ = nh->get_node_parameters_interface()->add_post_set_parameters_callback(
+      [this](const std::vector<rclcpp::Parameter>& parameters) {
+        KinematicParameters changed = getKinematics();
+        if (change(changed, parameters).empty()) update_kinematics(changed);
+      });
 }
 
 void KinematicsHandler::setSpeedLimit(const double& speed_limit, const bool& percentage) {
+  if (!std::isfinite(speed_limit) || speed_limit < 0.0) {
+    RCLCPP_ERROR(rclcpp::get_logger("DWBLocalPlanner"),
+                 "A speed limit of %g is ignored: it must be finite and at least 0", speed_limit);
+    return;
+  }
   KinematicParameters kinematics = getKinematics();
   kinematics.limitSpeed(speed_limit, percentage);
   update_kinematics(kinematics);
@@ -80,20 +93,23 @@ void KinematicsHandler::setSpeedLimit(const double& speed_limit, const bool& per
 rcl_interfaces::msg::SetParametersResult KinematicsHandler::dynamicParametersCallback(
     std::vector<rclcpp::Parameter> parameters) {
   rcl_interfaces::msg::SetParametersResult result;
-  result.successful = true;
   KinematicParameters kinematics = getKinematics();
+  const std::string refused = change(kinematics, parameters);
+  result.successful = refused.empty();
+  if (!result.successful) result.reason = refused + " must be a finite number";
+  return result;
+}
+
+std::string KinematicsHandler::change(KinematicParameters& kinematics,
+                                      const std::vector<rclcpp::Parameter>& parameters) const {
   for (const rclcpp::Parameter& parameter : parameters) {
     if (parameter.get_type() != rclcpp::ParameterType::PARAMETER_DOUBLE) continue;
     for (const Row& row : rows()) {
       if (parameter.get_name() != plugin_name_ + "." + row.name) continue;
-      if (write(kinematics, row, parameter.as_double())) continue;
-      result.successful = false;
-      result.reason = parameter.get_name() + " must be a finite number";
-      return result;
+      if (!write(kinematics, row, parameter.as_double())) return parameter.get_name();
     }
   }
-  update_kinematics(kinematics);
-  return result;
+  return "";
 }
 
 void KinematicsHandler::update_kinematics(KinematicParameters kinematics) {

@@ -15,7 +15,10 @@ void LimitedAccelGenerator::initialize(const nav2_util::LifecycleNode::SharedPtr
   StandardTrajectoryGenerator::initialize(nh, plugin_name);
   const std::string name = plugin_name + ".sim_period";
   nav2_util::declare_parameter_if_not_declared(nh, name, rclcpp::PARAMETER_DOUBLE);
-  if (nh->get_parameter(name, acceleration_time_)) return;
+  if (nh->get_parameter(name, acceleration_time_)) {
+    check_positive(name, acceleration_time_);
+    return;
+  }
   const rclcpp::Logger logger = rclcpp::get_logger("LimitedAccelGenerator");
   RCLCPP_WARN(logger, "'sim_period' parameter is not set for %s", plugin_name.c_str());
   const double frequency = nav_2d_utils::searchAndGetParam(nh, "controller_frequency", 20.0);

@@ -27,6 +27,11 @@ builtin_interfaces::msg::Duration duration_of(double seconds) {
 
 }  // namespace
 
+void StandardTrajectoryGenerator::check_positive(const std::string& name, double value) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  throw std::runtime_error(name + " must be finite and greater than 0");
+}
+
 void StandardTrajectoryGenerator::initialize(const nav2_util::LifecycleNode::SharedPtr& nh,
                                              const std::string& plugin_name) {
   plugin_name_ = plugin_name;
@@ -46,8 +51,7 @@ void StandardTrajectoryGenerator::initialize(const nav2_util::LifecycleNode::Sha
   read("include_last_point", include_last_point_);
   read("limit_vel_cmd_in_traj", limit_vel_cmd_in_traj_);
   const auto check = [&](const char* name, double value) {
-    if (value > 0.0 && std::isfinite(value)) return;
-    throw std::runtime_error(plugin_name + "." + name + " must be greater than 0");
+    check_positive(plugin_name + "." + name, value);
   };
   check("sim_time", sim_time_);
   if (discretize_by_time_) {

@@ -32,6 +32,14 @@ void XYThetaIterator::startNewIteration(const nav_2d_msgs::msg::Twist2D& current
                                                   limits.getMaxTheta(), limits.getAccTheta(),
                                                   limits.getDecelTheta(), dt, vtheta_samples_);
   if (!isValidVelocity()) iterateToValidVelocity();
+  if (hasMoreTwists()) return;
+  RCLCPP_ERROR(
+      rclcpp::get_logger("DWBLocalPlanner"),
+      "No velocity is within the limits: x from %g to %g m/s, y from %g to %g m/s, theta from %g "
+      "to %g rad/s, speed from %g to %g m/s. Look at max_speed_xy and max_vel_*; acc_lim_* must be "
+      "positive, and decel_lim_* negative.",
+      limits.getMinX(), limits.getMaxX(), limits.getMinY(), limits.getMaxY(), limits.getMinTheta(),
+      limits.getMaxTheta(), limits.getMinSpeedXY(), limits.getMaxSpeedXY());
 }
 
 bool XYThetaIterator::isValidVelocity() {

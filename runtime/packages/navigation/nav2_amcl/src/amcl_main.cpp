@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `amcl`.
 #include <memory>
 
 #include "nav2_amcl/amcl_node.hpp"

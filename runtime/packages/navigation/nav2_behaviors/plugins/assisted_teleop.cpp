@@ -1,13 +1,20 @@
 // See assisted_teleop.hpp.
 #include "nav2_behaviors/plugins/assisted_teleop.hpp"
 
-#include "nav2_behaviors/planar_pose.hpp"
+#include "nav_2d_utils/conversions.hpp"
 #include "pluginlib/class_list_macros.hpp"
 
 namespace nav2_behaviors {
 
 using geometry_msgs::msg::Twist;
 using geometry_msgs::msg::TwistStamped;
+
+namespace {
+
+/// Bounds what one cycle can cost.
+constexpr double kMostSteps = 10'000;
+
+}  // namespace
 
 AssistedTeleop::AssistedTeleop() : feedback_(std::make_shared<AssistedTeleopAction::Feedback>()) {}
 
@@ -23,6 +30,10 @@ void AssistedTeleop::onConfigure() {
   node->get_parameter("simulation_time_step", simulation_time_step_);
   if (!(simulation_time_step_ > 0)) {
     throw std::invalid_argument("simulation_time_step must be greater than 0");
+  }
+  if (!(projection_time_ / simulation_time_step_ <= kMostSteps)) {
+    throw std::invalid_argument(
+        "projection_time must be at most 10,000 times simulation_time_step");
   }
   vel_sub_ = std::make_unique<nav2_util::TwistSubscriber>(
       node, node->get_parameter("cmd_vel_teleop").as_string(), rclcpp::SystemDefaultsQoS(),
@@ -43,6 +54,8 @@ void AssistedTeleop::onCleanup() {
 }
 
 void AssistedTeleop::setTwist(const TwistStamped& twist) {
+  // A velocity from before a goal must not move the robot once the goal is accepted.
+  if (!action_server_->is_running()) return;
   if (!nav2_util::validateTwist(twist)) {
     RCLCPP_ERROR(logger_, "A velocity that is not finite is ignored.");
     return;
@@ -59,7 +72,10 @@ ResultStatus AssistedTeleop::onRun(const std::shared_ptr<const AssistedTeleopAct
 }
 
 void AssistedTeleop::onActionCompletion(std::shared_ptr<AssistedTeleopActionResult>) {
-  setTwist(TwistStamped());
+  {
+    const std::lock_guard<std::mutex> lock(twist_mutex_);
+    teleop_twist_ = TwistStamped();
+  }
   preempt_teleop_ = false;
 }
 
@@ -89,7 +105,7 @@ ResultStatus AssistedTeleop::onCycleUpdate() {
     const std::lock_guard<std::mutex> lock(twist_mutex_);
     *velocity = teleop_twist_;
   }
-  const double part = freePart(planar_pose(pose.pose), velocity->twist);
+  const double part = freePart(nav_2d_utils::poseToPose2D(pose.pose), velocity->twist);
   velocity->twist.linear.x *= part;
   velocity->twist.linear.y *= part;
   velocity->twist.angular.z *= part;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "nav2_behaviors/planar_pose.hpp"
+#include "nav_2d_utils/conversions.hpp"
 #include "pluginlib/class_list_macros.hpp"
 
 namespace nav2_behaviors {
@@ -57,7 +57,7 @@ ResultStatus Spin::onCycleUpdate() {
     RCLCPP_ERROR(logger_, "Current robot pose is not available.");
     return {Status::FAILED, SpinActionResult::TF_ERROR};
   }
-  geometry_msgs::msg::Pose2D planar = planar_pose(pose.pose);
+  geometry_msgs::msg::Pose2D planar = nav_2d_utils::poseToPose2D(pose.pose);
   addTurn(planar.theta);
   feedback_->angular_distance_traveled = static_cast<float>(relative_yaw_);
   action_server_->publish_feedback(feedback_);

@@ -34,6 +34,8 @@ BehaviorServer::BehaviorServer(const rclcpp::NodeOptions& options)
 }
 
 BehaviorServer::~BehaviorServer() {
+  // Ends a goal that runs while the members that it uses exist.
+  runCleanups();
   behaviors_.clear();
 }
 

@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `behavior_server`.
 #include <memory>
 
 #include "nav2_behaviors/behavior_server.hpp"

@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `bt_navigator`.
 #include <memory>
 
 #include "nav2_bt_navigator/bt_navigator.hpp"

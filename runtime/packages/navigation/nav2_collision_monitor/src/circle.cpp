@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "read_parameters.hpp"
 
@@ -10,7 +11,7 @@ namespace nav2_collision_monitor {
 namespace {
 
 bool is_radius(double radius) {
-  return std::isfinite(radius) && radius >= 0.0;
+  return std::isfinite(radius) && radius > 0.0;
 }
 
 }  // namespace
@@ -52,9 +53,12 @@ bool Circle::getParameters(std::string& polygon_sub_topic, std::string& polygon_
   polygon_sub_topic.clear();
   bool is_dynamic = true;
   try {
-    const double radius =
-        read_required<double>(locked(node_), polygon_name_ + ".radius", rclcpp::PARAMETER_DOUBLE);
-    if (!is_radius(radius)) throw std::runtime_error("a radius has to be a number of at least 0");
+    const std::string name = polygon_name_ + ".radius";
+    const double radius = read_required<double>(locked(node_), name, rclcpp::PARAMETER_DOUBLE);
+    if (!is_radius(radius)) {
+      throw std::runtime_error("parameter '" + name + "' has to be a number above 0, and is " +
+                               std::to_string(radius));
+    }
     updatePolygon(radius);
     is_dynamic = false;
   } catch (const rclcpp::exceptions::ParameterUninitializedException&) {
@@ -70,7 +74,7 @@ bool Circle::getParameters(std::string& polygon_sub_topic, std::string& polygon_
                  "not defined",
                  polygon_name_.c_str());
   }
-  // A circle has no footprint.
+  // A circle cannot have a footprint.
   footprint_topic.clear();
   return is_read;
 }
@@ -97,7 +101,7 @@ void Circle::radiusCallback(std_msgs::msg::Float32::ConstSharedPtr msg) {
   RCLCPP_INFO(logger_, "[%s]: Polygon circle radius update has been arrived",
               polygon_name_.c_str());
   if (is_radius(msg->data)) return updatePolygon(static_cast<double>(msg->data));
-  RCLCPP_ERROR(logger_, "[%s]: A radius has to be a number of at least 0, and is %f",
+  RCLCPP_ERROR(logger_, "[%s]: A radius has to be a number above 0, and is %f",
                polygon_name_.c_str(), static_cast<double>(msg->data));
 }
 

@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `collision_detector`.
 #include <memory>
 
 #include "nav2_collision_monitor/collision_detector_node.hpp"

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "nav2_collision_monitor/velocity_polygon.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 #include "read_parameters.hpp"
 
@@ -36,6 +37,14 @@ bool CollisionDetector::getParameters() {
   }
   if (!zones_.configure(node)) return false;
   for (const auto& polygon : zones_.polygons) {
+    if (std::dynamic_pointer_cast<VelocityPolygon>(polygon)) {
+      RCLCPP_ERROR(
+          get_logger(),
+          "[%s]: The collision detector knows no velocity, so it does not support the type "
+          "\"velocity_polygon\". Use \"polygon\" or \"circle\".",
+          polygon->getName().c_str());
+      return false;
+    }
     if (polygon->getActionType() == DO_NOTHING) continue;
     RCLCPP_ERROR(get_logger(),
                  "[%s]: The action_type of the polygon is different than \"none\" which is not "
@@ -87,8 +96,11 @@ void CollisionDetector::process() {
   auto state = std::make_unique<State>();
   for (const auto& polygon : zones_.polygons) {
     if (!polygon->getEnabled()) continue;
+    // A shape that was published in another frame moves when the robot does.
+    polygon->updatePolygon(Velocity{});
     state->polygons.push_back(polygon->getName());
-    state->detections.push_back(polygon->getPointsInside(points) >= polygon->getMinPoints());
+    state->detections.push_back(polygon->isShapeSet() &&
+                                polygon->getPointsInside(points) >= polygon->getMinPoints());
   }
   state_pub_->publish(std::move(state));
   zones_.publish();

@@ -107,6 +107,7 @@ CallbackReturn CollisionMonitor::on_cleanup(const rclcpp_lifecycle::State&) {
   state_pub_.reset();
   collision_points_marker_pub_.reset();
   toggle_cm_service_.reset();
+  invalid_source_ = nullptr;
   zones_.clear();
   return CallbackReturn::SUCCESS;
 }

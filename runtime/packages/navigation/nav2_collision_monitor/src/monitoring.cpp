@@ -39,7 +39,14 @@ void CollisionMonitor::process(const Velocity& cmd_vel_in, const std_msgs::msg::
   SourcePoints points;
   Action action{DO_NOTHING, cmd_vel_in, ""};
   std::shared_ptr<Polygon> cause;
-  if (!collectPoints(points)) action = {STOP, kStandstill, kInvalidSource};
+  const Source* invalid = collectPoints(points);
+  if (invalid != nullptr) {
+    action = {STOP, kStandstill, kInvalidSource};
+    if (invalid != invalid_source_) {
+      RCLCPP_WARN(get_logger(), "Source %s is invalid", invalid->getSourceName().c_str());
+    }
+  }
+  invalid_source_ = invalid;
   publishPoints(points);
   if (enabled_) {
     cause = processPolygons(points, cmd_vel_in, action);
@@ -50,16 +57,16 @@ void CollisionMonitor::process(const Velocity& cmd_vel_in, const std_msgs::msg::
   robot_action_prev_ = action;
 }
 
-bool CollisionMonitor::collectPoints(SourcePoints& points) {
+const Source* CollisionMonitor::collectPoints(SourcePoints& points) {
   const rclcpp::Time time = now();
   for (const auto& source : zones_.sources) {
     std::vector<Point>& of_source = points[source->getSourceName()];
     if (source->getEnabled() && !readPoints(*source, time, of_source) &&
         source->getSourceTimeout().nanoseconds() != 0) {
-      return false;
+      return source.get();
     }
   }
-  return true;
+  return nullptr;
 }
 
 void CollisionMonitor::publishPoints(const SourcePoints& points) {

@@ -2,6 +2,8 @@
 #include "nav2_collision_monitor/pointcloud.hpp"
 
 #include <algorithm>
+#include <cinttypes>
+#include <cstring>
 
 #include "read_parameters.hpp"
 #include "sensor_msgs/point_cloud2_iterator.hpp"
@@ -52,16 +54,19 @@ bool PointCloud::isReadable() const {
                  source_name_.c_str());
     return false;
   }
-  const uint64_t points = static_cast<uint64_t>(cloud.width) * cloud.height;
-  if (has_float(cloud, "x") && has_float(cloud, "y") && has_float(cloud, "z") &&
-      (!use_global_height_ || has_float(cloud, "height")) &&
-      cloud.data.size() == points * cloud.point_step) {
-    return true;
+  for (const char* field : {"x", "y", "z", "height"}) {
+    const bool is_needed = use_global_height_ || std::strcmp(field, "height") != 0;
+    if (!is_needed || has_float(cloud, field)) continue;
+    RCLCPP_ERROR(logger_, "[%s]: A cloud cannot be used: it has no field '%s' of type FLOAT32",
+                 source_name_.c_str(), field);
+    return false;
   }
+  const uint64_t needed = static_cast<uint64_t>(cloud.width) * cloud.height * cloud.point_step;
+  if (cloud.data.size() == needed) return true;
   RCLCPP_ERROR(logger_,
-               "[%s]: A cloud cannot be used: it needs fields of type float32, and as much data as "
-               "its size says",
-               source_name_.c_str());
+               "[%s]: A cloud cannot be used: it has %zu bytes, and width * height * point_step is "
+               "%" PRIu64,
+               source_name_.c_str(), cloud.data.size(), needed);
   return false;
 }
 

@@ -83,7 +83,7 @@ void Polygon::readMinPoints(const NodePtr& node) {
 void Polygon::readActionNumbers(const NodePtr& node) {
   const std::string prefix = polygon_name_ + ".";
   if (action_type_ == SLOWDOWN) {
-    slowdown_ratio_ = read_number(node, prefix + "slowdown_ratio", 0.5, 0.0);
+    slowdown_ratio_ = read_number(node, prefix + "slowdown_ratio", 0.5, 0.0, 1.0);
   } else if (action_type_ == LIMIT) {
     linear_limit_ = read_number(node, prefix + "linear_limit", 0.5, 0.0);
     angular_limit_ = read_number(node, prefix + "angular_limit", 0.5, 0.0);
@@ -118,7 +118,8 @@ bool Polygon::getParameters(std::string& polygon_sub_topic, std::string& polygon
   try {
     std::string text = read_required<std::string>(locked(node_), polygon_name_ + ".points",
                                                   rclcpp::PARAMETER_STRING);
-    is_dynamic = !getPolygonFromString(text, poly_);
+    if (!getPolygonFromString(text, poly_)) return false;
+    is_dynamic = false;
   } catch (const rclcpp::exceptions::ParameterUninitializedException&) {
     RCLCPP_INFO(logger_,
                 "[%s]: Polygon points are not defined. Using dynamic subscription instead.",

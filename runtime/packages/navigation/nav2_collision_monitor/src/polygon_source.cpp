@@ -75,7 +75,12 @@ void PolygonSource::dataCallback(PolygonInstanceStamped::ConstSharedPtr msg) {
     *same = *msg;
     return;
   }
-  if (data_.size() == kMostPolygons) data_.erase(data_.begin());
+  const auto is_older = [](const PolygonInstanceStamped& a, const PolygonInstanceStamped& b) {
+    return rclcpp::Time(a.header.stamp) < rclcpp::Time(b.header.stamp);
+  };
+  if (data_.size() == kMostPolygons) {
+    data_.erase(std::min_element(data_.begin(), data_.end(), is_older));
+  }
   data_.push_back(*msg);
 }
 

@@ -47,8 +47,8 @@ bool Range::getData(const rclcpp::Time& curr_time, std::vector<Point>& data) {
     return false;
   }
   if (!is_field_of_view(data_->field_of_view)) {
-    RCLCPP_ERROR(logger_, "[%s]: A field of view of %f rad cannot be used", source_name_.c_str(),
-                 static_cast<double>(data_->field_of_view));
+    RCLCPP_ERROR(logger_, "[%s]: A field of view has to be from 0 to 2 pi, and is %f rad",
+                 source_name_.c_str(), static_cast<double>(data_->field_of_view));
     return false;
   }
   tf2::Transform transform;

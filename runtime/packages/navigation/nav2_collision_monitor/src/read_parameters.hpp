@@ -1,6 +1,7 @@
 // Parameters of zones and sources. They throw what makes a configuration fail.
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -30,14 +31,14 @@ T read_required(const NodePtr& node, const std::string& name, rclcpp::ParameterT
   return node->get_parameter(name).get_value<T>();
 }
 
-/// Throws for a number below the least or above a billion, and for one that is not a number.
+/// Throws for a number outside of the range, and for one that is not a number.
 inline double read_number(const NodePtr& node, const std::string& name, double default_value,
-                          double least) {
-  constexpr double kMost = 1e9;
+                          double least, double most = 1e9) {
   const double value = read<double>(node, name, default_value);
-  if (value >= least && value <= kMost) return value;
-  throw std::runtime_error("parameter '" + name + "' has to be a number from " +
-                           std::to_string(least) + " to 1e9, and is " + std::to_string(value));
+  if (value >= least && value <= most) return value;
+  char range[80];
+  std::snprintf(range, sizeof(range), "%g to %g, and is %g", least, most, value);
+  throw std::runtime_error("parameter '" + name + "' has to be a number from " + range);
 }
 
 }  // namespace nav2_collision_monitor

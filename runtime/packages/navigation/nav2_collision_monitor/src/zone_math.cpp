@@ -9,8 +9,8 @@
 namespace nav2_collision_monitor {
 namespace {
 
-// Bounds what one message can cost.
-constexpr double kMostPointsOfEdge = 100'000;
+// Bounds what one message can cost: an outline that is longer has its points further apart.
+constexpr double kMostPieces = 100'000;
 
 bool is_direction_in_range(double direction, const SpeedRange& range) {
   const bool is_after = direction >= range.direction_start;
@@ -87,12 +87,19 @@ std::vector<Point> arc_points(double distance, double field_of_view, double step
 }
 
 std::vector<Point> outline_points(const std::vector<Point>& polygon, double distance) {
+  const auto next = [&polygon](size_t i) { return polygon[(i + 1) % polygon.size()]; };
+  const auto length = [](const Point& from, const Point& to) {
+    return std::hypot(to.x - from.x, to.y - from.y);
+  };
+  double perimeter = 0.0;
+  for (size_t i = 0; i < polygon.size(); ++i) perimeter += length(polygon[i], next(i));
+  distance = std::max(distance, perimeter / kMostPieces);
   std::vector<Point> points;
   for (size_t i = 0; i < polygon.size(); ++i) {
     const Point& from = polygon[i];
-    const Point& to = polygon[(i + 1) % polygon.size()];
-    const double pieces = std::ceil(std::hypot(to.x - from.x, to.y - from.y) / distance);
-    const int count = static_cast<int>(std::clamp(pieces, 1.0, kMostPointsOfEdge));
+    const Point to = next(i);
+    const double pieces = std::ceil(length(from, to) / distance);
+    const int count = static_cast<int>(std::clamp(pieces, 1.0, kMostPieces));
     const double dx = (to.x - from.x) / count;
     const double dy = (to.y - from.y) / count;
     for (int j = 0; j <= count; ++j) points.push_back({from.x + j * dx, from.y + j * dy});

@@ -20,7 +20,7 @@ struct Forecast {
 };
 
 /// Seconds until enough obstacles are in the zone of a robot that keeps its velocity; 0 when they
-/// are now, -1 when there is no collision within the horizon.
+/// are there already, and -1 when there is no collision within the horizon.
 [[nodiscard]] double time_to_collision(
     const std::vector<Point>& obstacles, Velocity velocity, const Forecast& forecast,
     const std::function<int(const std::vector<Point>&)>& count_in_zone);

@@ -114,8 +114,9 @@ bool readPoints(Source& source, const rclcpp::Time& time, std::vector<Point>& po
   try {
     return source.getData(time, points);
   } catch (const std::exception& error) {
-    RCLCPP_ERROR(rclcpp::get_logger("collision_monitor"), "[%s]: Its data cannot be used: %s",
-                 source.getSourceName().c_str(), error.what());
+    RCLCPP_ERROR(rclcpp::get_logger("collision_monitor"),
+                 "[%s]: The data of this source cannot be used: %s", source.getSourceName().c_str(),
+                 error.what());
     return false;
   }
 }

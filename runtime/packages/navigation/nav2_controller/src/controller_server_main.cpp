@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `controller_server`.
 #include <memory>
 
 #include "nav2_controller/controller_server.hpp"

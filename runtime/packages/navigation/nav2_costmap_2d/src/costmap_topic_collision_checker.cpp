@@ -45,7 +45,7 @@ double CostmapTopicCollisionChecker::scorePose(const geometry_msgs::msg::Pose2D&
   }
   const std::shared_ptr<Costmap2D> costmap = collision_checker_.getCostmap();
   if (!costmap) throw CollisionCheckerException("Costmap is not available");
-  // A message that arrives meanwhile may give the map another size.
+  // A message that arrives during the check may give the map another size.
   const std::lock_guard<Costmap2D::mutex_t> cells_lock(*costmap->getMutex());
   unsigned int cell_x = 0;
   unsigned int cell_y = 0;

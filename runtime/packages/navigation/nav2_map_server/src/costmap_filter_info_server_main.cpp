@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `costmap_filter_info_server`.
 #include <memory>
 
 #include "nav2_map_server/costmap_filter_info_server.hpp"

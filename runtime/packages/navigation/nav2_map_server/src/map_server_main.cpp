@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `map_server`.
 #include <memory>
 
 #include "nav2_map_server/map_server.hpp"

@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `planner_server`.
 #include <memory>
 
 #include "nav2_planner/planner_server.hpp"

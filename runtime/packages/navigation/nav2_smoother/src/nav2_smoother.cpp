@@ -24,6 +24,8 @@ SmootherServer::SmootherServer(const rclcpp::NodeOptions& options)
 }
 
 SmootherServer::~SmootherServer() {
+  // Ends a goal that runs while the smoothers that it uses exist.
+  runCleanups();
   smoothers_.clear();
 }
 

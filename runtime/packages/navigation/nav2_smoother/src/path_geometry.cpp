@@ -44,7 +44,7 @@ double move_points(PathPoints& moved, const PathPoints& original,
     moved[i].x = pulled(original[i].x, old.x, moved[i - 1].x, moved[i + 1].x);
     moved[i].y = pulled(original[i].y, old.y, moved[i - 1].y, moved[i + 1].y);
     change += std::abs(moved[i].x - old.x) + std::abs(moved[i].y - old.y);
-    // Weights that are too large throw points beyond all limits.
+    // Points may be too far away for their distances to be numbers.
     if (!std::isfinite(change) || !is_free(moved[i])) return -1.0;
   }
   return change;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <stdexcept>
 
 #include "nav2_costmap_2d/cost_values.hpp"
 #include "nav2_util/node_utils.hpp"
@@ -49,6 +50,12 @@ void SimpleSmoother::configure(const rclcpp_lifecycle::LifecycleNode::WeakPtr& p
   read("w_smooth", smooth_w_);
   read("do_refinement", do_refinement_);
   read("refinement_num", refinement_num_);
+  // Otherwise each round moves the points further than the one before.
+  if (!(data_w_ >= 0.0 && smooth_w_ >= 0.0 && data_w_ + 2 * smooth_w_ < 2.0)) {
+    throw std::invalid_argument(
+        name +
+        ": w_data and w_smooth must not be negative, and w_data + 2 * w_smooth must be below 2");
+  }
 }
 
 bool SimpleSmoother::smooth(nav_msgs::msg::Path& path, const rclcpp::Duration& max_time) {

@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `smoother_server`.
 #include <memory>
 
 #include "nav2_smoother/nav2_smoother.hpp"

@@ -3,7 +3,7 @@
 
 #include "nav2_smoother/nav2_smoother.hpp"
 #include "nav2_util/validate_messages.hpp"
-#include "tf2/utils.h"
+#include "nav_2d_utils/conversions.hpp"
 
 namespace nav2_smoother {
 namespace {
@@ -111,10 +111,7 @@ void SmootherServer::checkCollisions(const nav_msgs::msg::Path& path) {
   // All poses are checked against one costmap.
   bool is_first = true;
   for (const auto& stamped : path.poses) {
-    geometry_msgs::msg::Pose2D pose;
-    pose.x = stamped.pose.position.x;
-    pose.y = stamped.pose.position.y;
-    pose.theta = tf2::getYaw(stamped.pose.orientation);
+    const geometry_msgs::msg::Pose2D pose = nav_2d_utils::poseToPose2D(stamped.pose);
     if (!collision_checker_->isCollisionFree(pose, is_first)) {
       RCLCPP_ERROR(get_logger(), "Smoothed path leads to a collision at x: %lf, y: %lf, theta: %lf",
                    pose.x, pose.y, pose.theta);

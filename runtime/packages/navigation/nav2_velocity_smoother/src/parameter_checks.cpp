@@ -45,14 +45,14 @@ std::string check_number(const std::string& name, double value) {
     return fits ? "" : "smoothing_frequency must be greater than 0 and at most 1000 Hz";
   }
   const bool is_time = name == "velocity_timeout" || name == "odom_duration";
-  if (is_time && !(std::abs(value) <= kLongest)) return name + " must be a number of seconds";
+  if (is_time && !(std::abs(value) <= kLongest)) return name + " must be from -9e9 to 9e9 seconds";
   return "";
 }
 
 std::string check_axes(const std::string& name, const std::vector<double>& values, Moment moment) {
   if (values.size() != 3) return wrong_size(name, moment);
   const auto is_nan = [](double value) { return std::isnan(value); };
-  if (std::any_of(values.begin(), values.end(), is_nan)) return name + " must have numbers";
+  if (std::any_of(values.begin(), values.end(), is_nan)) return name + " must not contain NaN";
   for (const Sign& one : kSigns) {
     const auto has_wrong_sign = [&one](double value) { return value * one.sign < 0.0; };
     if (name == one.name && std::any_of(values.begin(), values.end(), has_wrong_sign)) {

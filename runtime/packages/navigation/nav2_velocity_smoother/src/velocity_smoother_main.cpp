@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `velocity_smoother`.
 #include <memory>
 
 #include "nav2_velocity_smoother/velocity_smoother.hpp"

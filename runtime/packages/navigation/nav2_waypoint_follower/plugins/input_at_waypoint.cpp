@@ -29,7 +29,7 @@ void InputAtWaypoint::initialize(const rclcpp_lifecycle::LifecycleNode::WeakPtr&
   };
   const double timeout = read("timeout", 10.0).as_double();
   if (!(timeout >= 0.0 && timeout <= kLongest)) {
-    throw std::runtime_error{plugin_name + ".timeout must be a number of seconds"};
+    throw std::runtime_error{plugin_name + ".timeout must be from 0 to 9e9 seconds"};
   }
   timeout_ = rclcpp::Duration::from_seconds(timeout);
   is_enabled_ = read("enabled", true).as_bool();

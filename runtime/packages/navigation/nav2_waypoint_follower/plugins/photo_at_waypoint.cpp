@@ -32,6 +32,9 @@ void PhotoAtWaypoint::initialize(const rclcpp_lifecycle::LifecycleNode::WeakPtr&
     RCLCPP_INFO(logger_, "Photo at waypoint plugin is disabled.");
     return;
   }
+  if (const std::string error = unsupported_format(image_format_); !error.empty()) {
+    throw std::runtime_error(plugin_name + ".image_format: " + error);
+  }
   RCLCPP_INFO(logger_,
               "Initializing photo at waypoint plugin, subscribing to camera topic named; %s",
               image_topic_.c_str());

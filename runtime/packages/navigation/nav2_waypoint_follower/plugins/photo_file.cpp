@@ -35,7 +35,8 @@ const Encoding& encoding_of(const Photo& photo) {
   for (const Encoding& one : kEncodings) {
     if (photo.encoding == one.name) return one;
   }
-  throw std::runtime_error("pictures with the encoding '" + photo.encoding + "' are not written");
+  throw std::runtime_error("the encoding '" + photo.encoding +
+                           "' is not supported; use mono8, rgb8, bgr8, rgba8 or bgra8");
 }
 
 /// The rows without what may be between them, red first.
@@ -43,8 +44,14 @@ std::vector<uint8_t> samples_of(const Photo& photo, const Encoding& encoding) {
   const size_t channels = static_cast<size_t>(encoding.channels);
   const uint64_t row = uint64_t{photo.width} * channels;
   const uint64_t size = uint64_t{photo.step} * photo.height;
-  if (photo.step < row || size > kMostBytes || photo.data.size() < size) {
-    throw std::runtime_error("the picture does not have the size that it says");
+  if (photo.step < row) {
+    throw std::runtime_error("the image has a step of " + std::to_string(photo.step) +
+                             " bytes, and its width needs " + std::to_string(row));
+  }
+  if (size > kMostBytes) throw std::runtime_error("the image is larger than 256 MiB");
+  if (photo.data.size() < size) {
+    throw std::runtime_error("the image has " + std::to_string(photo.data.size()) +
+                             " bytes, and its step and height need " + std::to_string(size));
   }
   std::vector<uint8_t> samples;
   samples.reserve(static_cast<size_t>(row) * photo.height);
@@ -59,6 +66,13 @@ std::vector<uint8_t> samples_of(const Photo& photo, const Encoding& encoding) {
 }
 
 }  // namespace
+
+std::string unsupported_format(const std::string& format) {
+  for (const char* known : {"png", "jpg", "jpeg", "bmp"}) {
+    if (format == known) return "";
+  }
+  return "the format '" + format + "' is not supported; use png, jpg, jpeg or bmp";
+}
 
 std::string photo_file(const Photo& photo, const std::string& format) {
   if (photo.width == 0 || photo.height == 0) throw std::runtime_error("the image has no pixels");
@@ -82,7 +96,7 @@ std::string photo_file(const Photo& photo, const std::string& format) {
   } else if (format == "bmp") {
     is_written = stbi_write_bmp_to_func(append, &bytes, width, height, channels, samples.data());
   } else {
-    throw std::runtime_error("files of the format '" + format + "' are not written");
+    throw std::runtime_error(unsupported_format(format));
   }
   if (is_written == 0) throw std::runtime_error("the picture cannot be written");
   return bytes;

@@ -1,5 +1,6 @@
 // See waypoint_follower.hpp. The work of a goal: waypoint after waypoint, each with its task.
 #include <chrono>
+#include <mutex>
 #include <utility>
 
 #include "nav2_waypoint_follower/waypoint_follower.hpp"
@@ -44,6 +45,15 @@ void WaypointFollower::followWaypointsHandler(ServerT& server) {
   const auto feedback = std::make_shared<typename FollowT::Feedback>();
   auto goal = server.get_current_goal();
   if (!goal || !server.is_server_active()) return;
+  const std::unique_lock<std::mutex> turn(tour_mutex_, std::try_to_lock);
+  if (!turn) {
+    RCLCPP_ERROR(get_logger(),
+                 "A goal of the other action is being followed. Cancel it first. Terminating this "
+                 "goal.");
+    server.terminate_current(result);
+    return;
+  }
+  current_goal_status_ = {};
   Tour tour{posesOf(*goal), goal->goal_index, 0, goal->number_of_loops, true};
   RCLCPP_INFO(get_logger(), "Received follow waypoint request with %i waypoints.",
               static_cast<int>(tour.poses.size()));
@@ -59,9 +69,12 @@ void WaypointFollower::followWaypointsHandler(ServerT& server) {
       goal = server.accept_pending_goal();
       if (!goal) continue;
       tour = Tour{posesOf(*goal), 0, 0, goal->number_of_loops, true};
+      result->missed_waypoints.clear();
     }
     if (tour.is_at_new_waypoint) {
       if (!isUsable(tour)) {
+        // Navigation to a waypoint of the goal that this one preempted.
+        if (current_goal_status_.status == ActionStatus::PROCESSING) cancelNavigation();
         server.terminate_current(result);
         return;
       }
@@ -71,6 +84,9 @@ void WaypointFollower::followWaypointsHandler(ServerT& server) {
     if (tour.is_at_new_waypoint && nav_to_pose_client_->action_server_is_ready()) {
       tour.is_at_new_waypoint = false;
       navigateTo(tour.poses[tour.index]);
+    } else if (tour.is_at_new_waypoint) {
+      RCLCPP_INFO_THROTTLE(get_logger(), *get_clock(), 5000,
+                           "Waiting for the action server navigate_to_pose");
     }
     feedback->current_waypoint = tour.index;
     server.publish_feedback(feedback);
@@ -98,8 +114,8 @@ bool WaypointFollower::isUsable(const Tour& tour) {
     return false;
   }
   if (tour.index >= tour.poses.size()) {
-    RCLCPP_ERROR(get_logger(), "Waypoint %u does not exist; the last one is %zu.",
-                 tour.index, tour.poses.size() - 1);
+    RCLCPP_ERROR(get_logger(), "Waypoint %u does not exist; the last one is %zu.", tour.index,
+                 tour.poses.size() - 1);
     return false;
   }
   return true;

@@ -1,6 +1,7 @@
 // See waypoint_follower.hpp. The states of the server; the work is in tour.cpp.
 #include "nav2_waypoint_follower/waypoint_follower.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "rclcpp_components/register_node_macro.hpp"
@@ -12,7 +13,11 @@ using nav2_util::declare_parameter_if_not_declared;
 
 namespace {
 
-constexpr char kBadRate[] = "loop_rate must be greater than 0";
+constexpr char kBadRate[] = "loop_rate must be from 1 to 1000 Hz";
+
+bool is_rate(int64_t value) {
+  return value >= 1 && value <= 1000;
+}
 
 }  // namespace
 
@@ -37,11 +42,12 @@ CallbackReturn WaypointFollower::on_configure(const rclcpp_lifecycle::State& sta
   RCLCPP_INFO(get_logger(), "Configuring");
   const auto node = shared_from_this();
   stop_on_failure_ = get_parameter("stop_on_failure").as_bool();
-  loop_rate_ = static_cast<int>(get_parameter("loop_rate").as_int());
-  if (loop_rate_ <= 0) {
+  const int64_t rate = get_parameter("loop_rate").as_int();
+  if (!is_rate(rate)) {
     RCLCPP_FATAL(get_logger(), "%s", kBadRate);
     return CallbackReturn::FAILURE;
   }
+  loop_rate_ = static_cast<int>(rate);
   global_frame_id_ = nav2_util::strip_leading_slash(get_parameter("global_frame_id").as_string());
   callback_group_ = create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
   callback_group_executor_.add_callback_group(callback_group_, get_node_base_interface());
@@ -127,17 +133,18 @@ CallbackReturn WaypointFollower::on_shutdown(const rclcpp_lifecycle::State&) {
 rcl_interfaces::msg::SetParametersResult WaypointFollower::dynamicParametersCallback(
     std::vector<rclcpp::Parameter> parameters) {
   rcl_interfaces::msg::SetParametersResult result;
-  result.successful = true;
+  result.successful =
+      std::all_of(parameters.begin(), parameters.end(), [](const rclcpp::Parameter& parameter) {
+        return parameter.get_name() != "loop_rate" || is_rate(parameter.as_int());
+      });
+  if (!result.successful) {
+    result.reason = kBadRate;
+    return result;
+  }
   for (const rclcpp::Parameter& parameter : parameters) {
     const std::string& name = parameter.get_name();
     if (name == "stop_on_failure") stop_on_failure_ = parameter.as_bool();
-    if (name != "loop_rate") continue;
-    if (parameter.as_int() <= 0) {
-      result.successful = false;
-      result.reason = kBadRate;
-      return result;
-    }
-    loop_rate_ = static_cast<int>(parameter.as_int());
+    if (name == "loop_rate") loop_rate_ = static_cast<int>(parameter.as_int());
   }
   return result;
 }

@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `waypoint_follower`.
 #include <memory>
 
 #include "nav2_waypoint_follower/waypoint_follower.hpp"

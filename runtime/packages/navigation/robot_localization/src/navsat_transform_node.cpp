@@ -1,4 +1,4 @@
-// Runs the node of its name.
+// The program `navsat_transform_node`.
 #include <memory>
 
 #include "node/navsat_transform.hpp"

@@ -92,9 +92,6 @@ class DWBLocalPlanner : public nav2_core::Controller {
   void loadCritic(const nav2_util::LifecycleNode::SharedPtr& node, const std::string& name);
   void conclude(const nav_2d_msgs::msg::Pose2DStamped& pose,
                 const dwb_msgs::msg::Trajectory2D& chosen);
-  nav_2d_msgs::msg::Twist2DStamped chooseCommand(
-      const nav_2d_msgs::msg::Pose2DStamped& pose, const nav_2d_msgs::msg::Twist2D& velocity,
-      std::shared_ptr<dwb_msgs::msg::LocalPlanEvaluation>& results);
   geometry_msgs::msg::TransformStamped planToCostmap() const;
 };
 

@@ -1,5 +1,5 @@
-// Publishes what DWB knows: plans, scores, and markers of trajectories. A topic that nobody hears
-// costs nothing.
+// Publishes plans, scores, and markers of trajectories. A message is not made for a topic without
+// subscribers.
 #pragma once
 
 #include <memory>

@@ -22,6 +22,7 @@ class KinematicsHandler {
     const std::lock_guard<std::mutex> lock(mutex_);
     return kinematics_;
   }
+  /// A limit that is negative or not finite is ignored, with an error.
   void setSpeedLimit(const double& speed_limit, const bool& percentage);
 
   using Ptr = std::shared_ptr<KinematicsHandler>;
@@ -33,12 +34,16 @@ class KinematicsHandler {
 
   nav2_util::LifecycleNode::WeakPtr node_;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr dyn_params_handler_;
+  rclcpp::node_interfaces::PostSetParametersCallbackHandle::SharedPtr post_set_handler_;
   std::string plugin_name_;
 
  private:
   struct Row;
   static const std::vector<Row>& rows();
   static bool write(KinematicParameters& kinematics, const Row& row, double value);
+  /// Returns the name of a parameter whose value cannot be used; empty when all are taken.
+  std::string change(KinematicParameters& kinematics,
+                     const std::vector<rclcpp::Parameter>& parameters) const;
 
   std::mutex mutex_;
   KinematicParameters kinematics_;

@@ -8,7 +8,7 @@
 
 namespace dwb_plugins {
 
-/// More steps than any costmap has cells on a line.
+/// Bounds what one trajectory can cost.
 constexpr double kMostSteps = 10'000;
 
 /// At least one. The greatest distances between poses are in m and rad.

@@ -53,8 +53,8 @@ class OneDVelocityIterator {
   bool isFinished() const { return !(current_ <= max_vel_ + EPSILON); }
 
  private:
-  bool return_zero_ = true;       // 0 may still come
-  bool return_zero_now_ = false;  // it is its turn
+  bool return_zero_ = true;       // 0 has not been returned yet
+  bool return_zero_now_ = false;  // the current value is 0
   double min_vel_;
   double max_vel_;
   double current_ = 0.0;

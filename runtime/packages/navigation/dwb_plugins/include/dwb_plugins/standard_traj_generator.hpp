@@ -29,6 +29,8 @@ class StandardTrajectoryGenerator : public dwb_core::TrajectoryGenerator {
   }
 
  protected:
+  /// Throws std::runtime_error unless the value of a parameter is finite and above 0.
+  static void check_positive(const std::string& name, double value);
   virtual void initializeIterator(const nav2_util::LifecycleNode::SharedPtr& nh);
   /// After `dt` seconds on the way from one velocity to the command.
   virtual nav_2d_msgs::msg::Twist2D computeNewVelocity(const nav_2d_msgs::msg::Twist2D& cmd_vel,

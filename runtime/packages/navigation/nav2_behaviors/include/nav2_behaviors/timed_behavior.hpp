@@ -70,9 +70,8 @@ class BehaviorParts {
   std::string local_frame_;
   std::string global_frame_;
   std::string robot_base_frame_;
-  double transform_tolerance_ = 0.0;               // s
-  rclcpp::Duration elasped_time_{0, 0};            // since the goal was taken; upstream's spelling
-  rclcpp::Duration& elapsed_time_{elasped_time_};  // its name in later versions
+  double transform_tolerance_ = 0.0;     // s
+  rclcpp::Duration elasped_time_{0, 0};  // since the goal was taken; upstream's spelling
   rclcpp::Clock::SharedPtr clock_;
   rclcpp::Logger logger_{rclcpp::get_logger("nav2_behaviors")};
   rcl_action_server_options_t server_options_ = rcl_action_server_get_default_options();
@@ -103,7 +102,7 @@ class TimedBehavior : public nav2_core::Behavior, protected BehaviorParts {
       std::shared_ptr<nav2_costmap_2d::CostmapTopicCollisionChecker> global_collision_checker)
       override {
     const auto node = setUp(parent, name, tf, local_collision_checker, global_collision_checker);
-    // After an exception in the work, or when it does not end in time, the robot stands.
+    // The robot stops after an exception in the work, and when the work does not end in time.
     action_server_ = std::make_shared<ActionServer>(
         node, behavior_name_, [this] { execute(); }, [this] { stopRobot(); }, 500ms, false,
         server_options_);
@@ -132,7 +131,7 @@ class TimedBehavior : public nav2_core::Behavior, protected BehaviorParts {
   void execute() {
     if (!isReady()) return;
     const auto goal = action_server_->get_current_goal();
-    // The server was deactivated meanwhile.
+    // The server was deactivated before this thread began.
     if (!goal) return;
     const auto result = std::make_shared<typename ActionT::Result>();
     const ResultStatus taken = onRun(goal);

@@ -19,7 +19,7 @@ class Circle : public Polygon {
 
   using Polygon::getPointsInside;
   using Polygon::updatePolygon;
-  /// 16 vertices, for those who look at it.
+  /// 16 vertices, for visualization.
   void getPolygon(std::vector<Point>& poly) const override;
   int getPointsInside(const std::vector<Point>& points) const override;
   bool isShapeSet() override;

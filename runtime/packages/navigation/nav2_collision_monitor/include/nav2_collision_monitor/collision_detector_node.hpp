@@ -1,4 +1,4 @@
-// Says in which zones the sensors of a robot see an obstacle. It has no say in the velocity.
+// Reports in which zones the sensors of a robot see an obstacle. It does not change the velocity.
 #pragma once
 
 #include <memory>

@@ -67,12 +67,14 @@ class CollisionMonitor : public nav2_util::LifecycleNode {
   bool getParameters(std::string& in_topic, std::string& out_topic, std::string& state_topic);
   void createTopics(const std::string& in_topic, const std::string& out_topic,
                     const std::string& state_topic);
-  /// False: a source cannot be used. The sources after it are not asked.
-  bool collectPoints(SourcePoints& points);
+  /// Returns the first source that cannot be used, or null. The sources after it are not asked.
+  const Source* collectPoints(SourcePoints& points);
   void publishPoints(const SourcePoints& points);
   std::shared_ptr<Polygon> processPolygons(const SourcePoints& points, const Velocity& velocity,
                                            Action& action) const;
   void logAction(const Action& action, const Polygon* cause) const;
+
+  const Source* invalid_source_ = nullptr;  // of the last velocity; its name is logged once
 };
 
 }  // namespace nav2_collision_monitor

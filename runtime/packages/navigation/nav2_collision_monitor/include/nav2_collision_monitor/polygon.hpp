@@ -42,7 +42,7 @@ class Polygon {
   std::vector<std::string> getSourcesNames() const { return sources_names_; }
 
   virtual void getPolygon(std::vector<Point>& poly) const;
-  /// False, with a warning, before the shape has come on its topic.
+  /// False, with a warning, before a shape is received.
   virtual bool isShapeSet();
   /// Takes the latest footprint, or follows the frame that the shape was published in.
   virtual void updatePolygon(const Velocity& cmd_vel_in);

@@ -38,7 +38,7 @@ struct Zones {
 /// Appends what a source sees. False also when its data makes it throw, such as a negative time.
 bool readPoints(Source& source, const rclcpp::Time& time, std::vector<Point>& points);
 
-/// Points of obstacles, for those who look at them.
+/// Points of obstacles, for visualization.
 visualization_msgs::msg::Marker pointsMarker(const std::string& frame_id, const std::string& ns,
                                              const std::vector<Point>& points);
 

@@ -50,7 +50,7 @@ class SmootherServer : public nav2_util::LifecycleNode {
   std::shared_ptr<tf2_ros::Buffer> tf_;
   std::shared_ptr<tf2_ros::TransformListener> transform_listener_;
   rclcpp_lifecycle::LifecyclePublisher<nav_msgs::msg::Path>::SharedPtr plan_publisher_;
-  // Before the smoothers, whose code it has.
+  // Declared before the smoothers, since it owns their code.
   pluginlib::ClassLoader<nav2_core::Smoother> lp_loader_;
   SmootherMap smoothers_;
   std::vector<std::string> default_ids_{"simple_smoother"};

@@ -131,7 +131,7 @@ class SimpleActionServer : protected ActionServerLog {
   void handle_accepted(const std::shared_ptr<GoalHandle> handle) {
     const Lock lock(update_mutex_);
     debug_msg("Receiving a new goal");
-    if (is_active(current_handle_) || is_running()) {
+    if (is_active(current_handle_) || is_working_) {
       debug_msg("An older goal is active, moving the new goal to a pending slot.");
       if (is_active(pending_handle_)) {
         debug_msg(
@@ -149,6 +149,7 @@ class SimpleActionServer : protected ActionServerLog {
       preempt_requested_ = false;
     }
     current_handle_ = handle;
+    is_working_ = true;
     debug_msg("Executing goal asynchronously.");
     execution_future_ = std::async(std::launch::async, [this] {
       setSoftRealTimePriority();
@@ -158,15 +159,17 @@ class SimpleActionServer : protected ActionServerLog {
 
   /// Runs the function until no goal is left.
   void work() {
-    while (rclcpp::ok() && !stop_execution_ && is_active(current_handle_)) {
+    while (goes_on()) {
       debug_msg("Executing the goal...");
       try {
         execute_callback_();
       } catch (const std::exception& error) {
         RCLCPP_ERROR(node_logging_interface_->get_logger(),
                      "Action server failed while executing action callback: \"%s\"", error.what());
+        const Lock lock(update_mutex_);
         terminate_all();
         complete();
+        is_working_ = false;
         return;
       }
       debug_msg("Blocking processing of new goal handles.");
@@ -175,6 +178,7 @@ class SimpleActionServer : protected ActionServerLog {
         warn_msg("Stopping the thread per request.");
         terminate_all();
         complete();
+        is_working_ = false;
         break;
       }
       if (is_active(current_handle_)) {
@@ -184,6 +188,7 @@ class SimpleActionServer : protected ActionServerLog {
       }
       if (!is_active(pending_handle_)) {
         debug_msg("Done processing available goals.");
+        is_working_ = false;
         break;
       }
       debug_msg("Executing a pending handle on the existing thread.");
@@ -226,6 +231,7 @@ class SimpleActionServer : protected ActionServerLog {
   }
 
   bool is_running() {
+    const Lock lock(update_mutex_);
     return execution_future_.valid() &&
            execution_future_.wait_for(std::chrono::milliseconds(0)) == std::future_status::timeout;
   }
@@ -328,6 +334,7 @@ class SimpleActionServer : protected ActionServerLog {
   }
 
   void publish_feedback(std::shared_ptr<typename ActionT::Feedback> feedback) {
+    const Lock lock(update_mutex_);
     if (!is_active(current_handle_)) {
       error_msg("Trying to publish feedback when the current goal handle is not active");
       return;
@@ -336,6 +343,13 @@ class SimpleActionServer : protected ActionServerLog {
   }
 
  protected:
+  /// Whether the thread looks at another goal. A goal that comes after a no starts a new thread.
+  bool goes_on() {
+    const Lock lock(update_mutex_);
+    is_working_ = rclcpp::ok() && !stop_execution_ && is_active(current_handle_);
+    return is_working_;
+  }
+
   ResultPtr empty_result() const { return std::make_shared<typename ActionT::Result>(); }
 
   bool is_active(const std::shared_ptr<GoalHandle>& handle) const {
@@ -368,6 +382,7 @@ class SimpleActionServer : protected ActionServerLog {
   CompletionCallback completion_callback_;
   std::future<void> execution_future_;
   bool stop_execution_{false};
+  bool is_working_{false};  // the thread takes a pending goal when it is done
   bool use_realtime_prioritization_{false};
   mutable std::recursive_mutex update_mutex_;
   bool server_active_{false};

@@ -2,8 +2,10 @@
 // other, and runs a task plugin at each.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -100,8 +102,9 @@ class WaypointFollower : public nav2_util::LifecycleNode {
                                            std::shared_ptr<nav2_util::LifecycleNode>>>
       from_ll_to_map_client_;
 
-  bool stop_on_failure_ = true;
-  int loop_rate_ = 20;  // Hz
+  std::atomic<bool> stop_on_failure_{true};
+  std::atomic<int> loop_rate_{20};  // Hz
+  std::mutex tour_mutex_;           // both actions have a thread; one of them navigates
   GoalStatus current_goal_status_;
   uint64_t last_goal_ = 0;  // answers to earlier ones do not count
 

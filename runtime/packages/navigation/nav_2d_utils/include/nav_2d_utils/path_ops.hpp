@@ -5,7 +5,8 @@
 
 namespace nav_2d_utils {
 
-/// With poses between those that are more than two resolutions [m] apart. The result has no header.
+/// Adds poses between those that are at least five resolutions [m] apart: as many as resolutions
+/// fit between them, less four. The result has no header.
 nav_2d_msgs::msg::Path2D adjustPlanResolution(const nav_2d_msgs::msg::Path2D& global_plan_in,
                                               double resolution);
 

@@ -34,6 +34,13 @@ void leave_out_infinite(Values&& values, Matrix& covariance, int begin, Variable
   covariance = covariance.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; }).eval();
 }
 
+bool lacks(const Eigen::Vector3d& place, const Variables& wanted) {
+  for (int i = 0; i < 3; ++i) {
+    if (wanted[kX + i] && !std::isfinite(place(i))) return true;
+  }
+  return false;
+}
+
 Matrix6 rotated(const Matrix6& covariance, const Eigen::Matrix3d& rotation) {
   Matrix6 both = Matrix6::Zero();
   both.topLeftCorner<3, 3>() = rotation;
@@ -89,7 +96,8 @@ bool PoseSource::take(const PoseReading& reading, const Turning& turning,
   Vector6 values;
   values << reading.pose.translation(), roll_pitch_yaw(reading.pose.linear());
   Eigen::Isometry3d pose = reading.pose;
-  if (!pose.linear().allFinite()) {
+  const bool has_rotation = pose.linear().allFinite();
+  if (!has_rotation) {
     // Its angles need not be NaN, too: those of std::asin are clamped.
     values.tail<3>().setConstant(std::numeric_limits<double>::quiet_NaN());
     pose.linear().setIdentity();
@@ -98,7 +106,11 @@ bool PoseSource::take(const PoseReading& reading, const Turning& turning,
   const Variables wanted = measurement.update & kPoseVariables;
   Variables known = kPoseVariables;
   leave_out_infinite(values, covariance, kX, known);
-  pose.translation() = values.head<3>();
+  const Eigen::Vector3d place = reading.pose.translation();
+  for (int i = 0; i < 3; ++i) {
+    // A place whose variance is infinite is not measured, but later poses may count from it.
+    if (!std::isfinite(place(i))) pose.translation()(i) = 0.0;
+  }
   measurement.update &= known | ~kPoseVariables;
   rotate_update(rotation, kX, measurement.update);
   rotate_update(rotation, kRoll, measurement.update);
@@ -113,13 +125,15 @@ bool PoseSource::take(const PoseReading& reading, const Turning& turning,
     target_from_message.setIdentity();
   }
   if (reading.is_differential) {
+    // Without a rotation the way has no direction.
+    if (!has_rotation) return false;
     return take_difference(reading, {pose, covariance, measurement.time_ns, known}, turning,
                            measurement);
   }
   if (reading.child_from_base) pose = pose * *reading.child_from_base;
   if (reading.is_relative) {
-    // Every later pose counts from the first, which therefore has to be whole.
-    if (!first_ && (wanted & ~known).any()) return false;
+    // Every later pose counts from the first, so that one needs a rotation and the wanted places.
+    if (!first_ && (!has_rotation || lacks(place, wanted))) return false;
     if (!first_) first_ = pose;
     pose = first_->inverse() * pose;
   }
@@ -134,11 +148,11 @@ bool PoseSource::take_difference(const PoseReading& reading, const Timed& now,
                                  const Turning& turning, Measurement& measurement) {
   const std::optional<Timed> previous = std::exchange(previous_, now);
   if (!previous || now.time_ns <= previous->time_ns) return false;
-  // A value that was unknown at one of both times is zero there, and no way leads from it. The
-  // rotation gives the way its direction.
+  // A value that was unknown at one of the two times has no difference.
   const Variables changed = now.known ^ previous->known;
-  if ((changed & three_from(kRoll)).any()) return false;
-  if ((changed & three_from(kX)).any()) measurement.update &= ~three_from(kX);
+  for (const int begin : {kX, kRoll}) {
+    if ((changed & three_from(begin)).any()) measurement.update &= ~three_from(begin);
+  }
   const double dt = static_cast<double>(now.time_ns - previous->time_ns) * 1e-9;
   const Eigen::Isometry3d way = previous->pose.inverse() * now.pose;
   TwistReading twist;

@@ -57,7 +57,7 @@ void take_acceleration(const AccelerationReading& reading, const Turning& turnin
 class PoseSource {
  public:
   /// False when there is nothing to fuse yet: a difference needs two poses with different times,
-  /// and a first pose needs every value that the configuration uses.
+  /// also rotations, and a first pose needs a rotation and the places that the configuration uses.
   bool take(const PoseReading& reading, const Turning& turning, Measurement& measurement);
 
  private:

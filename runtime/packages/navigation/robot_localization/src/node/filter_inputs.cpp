@@ -101,6 +101,7 @@ void FilterNode::subscribe_control() {
 }
 
 void FilterNode::take_control(const geometry_msgs::msg::Twist& twist, const rclcpp::Time& stamp) {
+  reset_after_jump();
   Control control;
   control.velocity << vector_of(twist.linear), vector_of(twist.angular);
   if (!control.velocity.allFinite()) return;

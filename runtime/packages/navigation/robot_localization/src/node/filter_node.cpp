@@ -115,6 +115,7 @@ void FilterNode::reset() {
 }
 
 void FilterNode::set_pose(const PoseMessage& message) {
+  reset_after_jump();
   RCLCPP_INFO(get_logger(), "Received set_pose request with value\n%s",
               geometry_msgs::msg::to_yaml(message).c_str());
   for (Input& input : inputs_) {

@@ -165,7 +165,8 @@ void NavSatTransform::set_zone(const std::string& name) {
   world_from_cartesian_.reset();
   first_position_.reset();
   position_.reset();
-  // The robot may have turned since the transform was computed.
+  // The robot may have moved and turned since the transform was computed.
+  first_pose_.reset();
   orientation_.reset();
   subscribe_imu();
   RCLCPP_INFO(get_logger(), "UTM zone set to %d %s", cartesian_->zone(),

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "geometry_msgs/msg/twist_stamped.hpp"
-#include "nav2_behaviors/planar_pose.hpp"
 #include "nav2_behaviors/timed_behavior.hpp"
 #include "nav2_msgs/action/back_up.hpp"
 #include "nav2_msgs/action/drive_on_heading.hpp"
+#include "nav_2d_utils/conversions.hpp"
 
 namespace nav2_behaviors {
 
@@ -58,7 +58,7 @@ class DriveOnHeading : public TimedBehavior<ActionT> {
     velocity->header.stamp = this->clock_->now();
     velocity->header.frame_id = this->robot_base_frame_;
     velocity->twist.linear.x = command_speed_;
-    geometry_msgs::msg::Pose2D planar = planar_pose(pose.pose);
+    geometry_msgs::msg::Pose2D planar = nav_2d_utils::poseToPose2D(pose.pose);
     if (!isCollisionFree(distance, velocity->twist, planar)) {
       this->stopRobot();
       RCLCPP_WARN(this->logger_, "Collision Ahead - Exiting DriveOnHeading");

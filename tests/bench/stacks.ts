@@ -18,7 +18,7 @@ const CYCLE_AIM = 15;
 const SIZE_AIM = 250_000;
 const PROGRAMS = ['nav2_planner/planner_server', 'nav2_controller/controller_server', 'nav2_behaviors/behavior_server', 'nav2_bt_navigator/bt_navigator',
   'nav2_smoother/smoother_server', 'nav2_velocity_smoother/velocity_smoother', 'nav2_collision_monitor/collision_monitor',
-  'nav2_waypoint_follower/waypoint_follower', 'nav2_amcl/amcl', 'robot_localization/ekf_node'] as const;
+  'nav2_waypoint_follower/waypoint_follower', 'nav2_amcl/amcl', 'robot_localization/ekf_node', 'slam_toolbox/async_slam_toolbox_node'] as const;
 const PACKAGE = 'tests/bench/packages/stacks_bench';
 const NAVFN = 'runtime/packages/navigation/nav2_navfn_planner';
 

@@ -4,8 +4,7 @@ import os
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch.actions import (DeclareLaunchArgument, GroupAction, IncludeLaunchDescription, LogInfo,
-                            SetEnvironmentVariable)
+from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription, SetEnvironmentVariable
 from launch.conditions import IfCondition
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import LaunchConfiguration, PythonExpression
@@ -46,8 +45,7 @@ def generate_launch_description():
 
     started = GroupAction([
         PushROSNamespace(condition=IfCondition(LaunchConfiguration('use_namespace')), namespace=namespace),
-        LogInfo(condition=IfCondition(PythonExpression([slam, ' and ', use_localization])),
-                msg='slam is not part of the channel: start a node that publishes the map and the frame map'),
+        include('slam_launch.py', IfCondition(PythonExpression([slam, ' and ', use_localization]))),
         include('localization_launch.py', IfCondition(PythonExpression(['not ', slam, ' and ', use_localization])),
                 map=LaunchConfiguration('map')),
         include('navigation_launch.py'),

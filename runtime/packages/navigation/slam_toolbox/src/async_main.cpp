@@ -1,0 +1,12 @@
+// The program `async_slam_toolbox_node`.
+#include <memory>
+
+#include "node/async.hpp"
+
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  const auto node = std::make_shared<slam_toolbox::AsynchronousSlamToolbox>();
+  rclcpp::spin(node->get_node_base_interface());
+  rclcpp::shutdown();
+  return 0;
+}

@@ -13,7 +13,6 @@ void wait_by(const char* way, WaitT&& wait) {
   const auto before = std::chrono::steady_clock::now();
   wait();
   const auto passed = std::chrono::steady_clock::now() - before;
-  std::printf(
-      "%s ends after %d ms\n", way,
-      static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(passed).count()));
+  std::printf("%s ends after %.3f ms\n", way,
+              std::chrono::duration<double, std::milli>(passed).count());
 }

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from tests.launch.launch_cases import CASES
+from tests.launch.launch_cases import CASES, node, var
 from tests.launch.launch_trees import Action, Sub, Text, action, file_texts, part
 
 CLI = Path(os.environ.get('ROS2WASM_CLI', 'build/ros2wasm')).resolve()
@@ -29,6 +29,7 @@ ENDINGS = ('xml', 'yaml', 'py')
 PACKAGE = """<package format="3"><name>demo</name><version>1.2.3</version><description>A package of a test</description>
 <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license></package>
 """
+NUMBERS = ('0.0', '-0.0', '0e5', '0.0001', '1.0', '-2.5', '1e-400', '1.5e-7', '1e300', '3', '0x1f')
 INNER = {
     'inner.launch.xml': '<launch><arg name="x"/><arg name="y" default="z"/>'
                         '<log message="inner $(var x) $(var y)"/></launch>\n',
@@ -203,6 +204,17 @@ class LaunchLanguages(unittest.TestCase):
                 other = languages.whole(ending, *given)
                 self.assertNotEqual(other, whole)
                 self.assertEqual([], differences(other, languages.in_site(ending, *given)))
+
+    def test_numbers_are_the_same_in_a_site(self) -> None:
+        lets = [action('let', name=f'v{i}', value=number) for i, number in enumerate(NUMBERS)]
+        parts = [part('param', name=f'n{i}', value=var(f'v{i}')) for i in range(len(NUMBERS))]
+        languages = self.languages([[*lets, node('n', *parts)]])
+        for ending in ENDINGS:
+            with self.subTest(ending):
+                whole = languages.whole(ending)
+                values = {one['name']: one['value'] for one in whole['processes'][0]['parameters']}
+                self.assertEqual([0.0, -0.0, 0.0, 0.0001, 1.0, -2.5], [values[f'n{i}'] for i in range(6)])
+                self.assertEqual([], differences(whole, languages.in_site(ending)))
 
     def test_random_trees(self) -> None:
         seed = int(os.environ.get('ROS2WASM_SEED', '1'))

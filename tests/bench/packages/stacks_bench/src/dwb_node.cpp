@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   for (int i = 0; i < kCycles; ++i) {
     const auto begin = Clock::now();
     planner.setPlan(path);
-    speed = planner.computeVelocityCommands(path.poses.front(), {}, nullptr).twist.linear.x;
+    const geometry_msgs::msg::Twist still;
+    speed = planner.computeVelocityCommands(path.poses.front(), still, nullptr).twist.linear.x;
     times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   }
   std::sort(times.begin(), times.end());

@@ -34,7 +34,9 @@ export class SiteTimeControl implements SiteTime {
   }
 
   pause(): void {
-    this.apply(this.broker.link.clock.steadyNs());
+    // One reading: a limit before the site's time would let programs run on.
+    const now = this.broker.link.clock.steadyNs();
+    this.apply(now, now);
   }
 
   resume(): void {
@@ -64,11 +66,10 @@ export class SiteTimeControl implements SiteTime {
     this.listeners.clear();
   }
 
-  private apply(limitNs: number): void {
+  private apply(limitNs: number, now = this.broker.link.clock.steadyNs()): void {
     const { broker, rate } = this;
-    const { clock } = broker.link;
     this.limitNs = Math.round(limitNs);
-    const siteNs = Math.round(clock.steadyNs());
+    const siteNs = Math.round(now);
     broker.setTime({ realNs: Math.round(realNanoseconds()), siteNs, rate, limitNs: this.limitNs });
     this.changed();
     clearTimeout(this.timer);

@@ -35,6 +35,29 @@ def generate_launch_description():
         Node(package='slam_toolbox', executable='sync_slam_toolbox_node', name='slam', namespace='old', output='screen', parameters=[
             {'map_name': 'old_map', 'transform_publish_period': 0.0, 'use_sim_time': False, 'resolution': -1.0,
              'map_update_interval': 1.0}]),
+        # Managed from outside, with a bond.
+        Node(package='slam_toolbox', executable='async_slam_toolbox_node', name='slam', namespace='managed', output='screen',
+             parameters=[{'use_lifecycle_manager': True, 'map_name': 'map', 'transform_publish_period': 0.0}]),
+        Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager', namespace='managed', output='screen',
+             parameters=[{'autostart': True, 'node_names': ['slam']}]),
+        Node(package='block', executable='robot', output='screen'),
+    ])
+`;
+
+/** A saved session that a parameter names, at a pose that is a little off. */
+const sessionFile = `
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    session = os.path.join(get_package_share_directory('block'), 'sessions', 'session')
+    return LaunchDescription([
+        Node(package='slam_toolbox', executable='async_slam_toolbox_node', name='slam_toolbox', output='screen',
+             parameters=[{'map_file_name': session, 'map_start_pose': [0.15, -0.1, 0.1]}]),
         Node(package='block', executable='robot', output='screen'),
     ])
 `;
@@ -281,6 +304,9 @@ int main(int argc, char** argv) {
   const auto graphs = node->create_subscription<visualization_msgs::msg::MarkerArray>(
       "slam_toolbox/graph_visualization", 10, [&](const visualization_msgs::msg::MarkerArray& one) { nodes = one.markers.at(0).points.size(); });
   say("first map %d", spin_until([&] { return maps > 0; }));
+  say("of the whole block %d", map.info.width > 200);
+  pass(2s);
+  say("where the robot is %d", robot.error() < 0.05);
   for (const Point& corner : {Point{11, 1}, Point{11, 7}, Point{1, 7}, Point{1, 1}, Point{6, 1}}) robot.drive(corner);
   pass(6s);
   say("odometry off by more than 1 m %d, the pose by less than 0.15 m %d", robot.drift() > 1, robot.error() < 0.15);
@@ -360,21 +386,25 @@ int main(int argc, char** argv) {
 `;
 
 let workspace: PackWorkspace;
+/** The session that the first test saved. */
+let session: Buffer;
 before(async () => {
   workspace = new PackWorkspace('shared');
   const libraries = ['geometry_msgs', 'lifecycle_msgs', 'nav2_util', 'nav_msgs', 'rclcpp', 'sensor_msgs', 'slam_toolbox', 'tf2_geometry_msgs', 'tf2_ros',
     'visualization_msgs'];
   workspace.addPackage('block', { robot }, {
-    depends: [...libraries, 'nav2_bringup'],
+    depends: [...libraries, 'nav2_bringup', 'nav2_lifecycle_manager'],
     cmake: `${libraries.map((name) => `find_package(${name} REQUIRED)`).join('\n')}
 ament_target_dependencies(robot ${libraries.join(' ')})
-install(DIRECTORY launch params DESTINATION share/\${PROJECT_NAME})
+install(DIRECTORY launch params sessions DESTINATION share/\${PROJECT_NAME})
 `,
   });
   workspace.write('src/block/launch/slam_launch.py', launchFile);
   workspace.write('src/block/params/mapper.yaml', parameters);
   workspace.write('workspace.yaml', 'schema: 1\nname: slam\npackages: [src/*]\nlaunch: src/block/launch/slam_launch.py\n');
   workspace.write('src/block/launch/bringup_launch.py', bringupFile);
+  workspace.write('src/block/launch/session_launch.py', sessionFile);
+  workspace.write('src/block/sessions/README', 'Sessions of slam_toolbox.\n');
   workspace.write('bringup.yaml', 'schema: 1\nname: bringup\npackages: [src/*]\nlaunch: src/block/launch/bringup_launch.py\n');
   for (const [manifest, site] of [['workspace.yaml', 'site'], ['bringup.yaml', 'bringup']] as const) {
     const packed = await workspace.run(['pack', manifest, '--output', site]);
@@ -391,6 +421,8 @@ test('a robot maps the corridor around a block, and finds itself in a saved sess
     assert.equal(run.code, 0, output);
     assert.deepEqual(said(output, 'robot'), [
       'first map 1',
+      'of the whole block 0',
+      'where the robot is 1',
       'odometry off by more than 1 m 1, the pose by less than 0.15 m 1',
       'pose in map, sure 1',
       'map: walls 1 right 1 free 1 in the block 0',
@@ -421,6 +453,7 @@ test('a robot maps the corridor around a block, and finds itself in a saved sess
         'No map file given!', 'Deserialization called without valid processor type set. Undefined behavior!',
         'Requested a localization deserialization in non-localization mode.', 'SlamToolbox: Toggled to pause taking new measurements after reset.']
     ) assert.ok(slam.includes(line), `slam_toolbox does not say: ${line}\n${output}`);
+    assert.ok(said(output, 'managed.manager').includes('Server slam connected with bond.'), output);
     const old = said(output, 'old.slam');
     assert.ok(old.some((line) => line.startsWith('This node was not configured within 3 s, so it configures and activates itself')), output);
     assert.ok(old.includes('maximum laser range setting (25.0 m) exceeds the capabilities of the used Lidar (4.0 m)'), output);
@@ -429,6 +462,7 @@ test('a robot maps the corridor around a block, and finds itself in a saved sess
     const yaml = files.find((name) => name.endsWith('block.yaml')) ?? '';
     assert.match(readFileSync(join(kept, yaml), 'utf8'), /image: block\.pgm\nmode: trinary\nresolution: 0\.05/);
     assert.ok(files.some((name) => name.endsWith('block.pgm')) && files.some((name) => name.endsWith('session.posegraph')), files.join('\n'));
+    session = readFileSync(join(kept, files.find((name) => name.endsWith('session.posegraph')) ?? ''));
   } finally {
     rmSync(kept, { recursive: true });
   }
@@ -442,4 +476,15 @@ test('bringup_launch.py with slam:=True makes the map that its servers use', wat
   assert.ok(said(output, 'lifecycle_manager_slam').includes('Managed nodes are active'), output);
   assert.ok(said(output, 'robot').includes('first map 1'), output);
   assert.ok(said(output, 'global_costmap.global_costmap').some((line) => line.startsWith('StaticLayer: Resizing costmap to')), output);
+});
+
+test('a session that a parameter names goes on where the robot is', watchdog, async () => {
+  workspace.write('src/block/sessions/session.posegraph', session);
+  workspace.write('session.yaml', 'schema: 1\nname: session\npackages: [src/*]\nlaunch: src/block/launch/session_launch.py\n');
+  const packed = await workspace.run(['pack', 'session.yaml', '--output', 'session']);
+  assert.equal(packed.code, 0, packed.stderr);
+  const run = await workspace.run(['run', 'session', '--stepped', '--for', '60s', '--until', 'where the robot is']);
+  const output = run.stdout + run.stderr;
+  assert.equal(run.code, 0, output);
+  assert.deepEqual(said(output, 'robot'), ['first map 1', 'of the whole block 1', 'where the robot is 1'], output);
 });

@@ -19,8 +19,8 @@ struct Forecast {
   int min_points;  // that make a collision
 };
 
-/// Seconds until enough obstacles are in the zone of a robot that keeps its velocity; 0 when they
-/// are there already, and -1 when there is no collision within the horizon.
+/// Returns the seconds until enough obstacles are in the zone of a robot that keeps its velocity:
+/// 0 when they are in it now, -1 when that does not happen within the horizon.
 [[nodiscard]] double time_to_collision(
     const std::vector<Point>& obstacles, Velocity velocity, const Forecast& forecast,
     const std::function<int(const std::vector<Point>&)>& count_in_zone);

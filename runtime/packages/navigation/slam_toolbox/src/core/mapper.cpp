@@ -87,7 +87,7 @@ std::optional<Eigen::Matrix3d> Mapper::add(Scan scan, const Chain& base) {
   graph_.add_node();
   if (settings_.use_scan_matching) {
     if (index > 0) add_edges(index, base, covariance);
-    keep_running(index);
+    add_to_running(index);
     if (settings_.do_loop_closing) close_loops(index);
   }
   return covariance;
@@ -100,7 +100,7 @@ std::vector<const Scan*> Mapper::pointers(const std::vector<int>& indices) const
   return result;
 }
 
-void Mapper::keep_running(int scan) {
+void Mapper::add_to_running(int scan) {
   running_.push_back(scan);
   const auto is_too_long = [this] {
     return static_cast<int>(running_.size()) > settings_.scan_buffer_size ||

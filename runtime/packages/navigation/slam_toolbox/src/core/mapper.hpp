@@ -72,7 +72,7 @@ class Mapper {
   Chain next_loop(int scan, const std::set<int>& linked, int& begin) const;
   bool close_loop(int scan, const Chain& chain);
   void correct();
-  void keep_running(int scan);
+  void add_to_running(int scan);
 
   MapperSettings settings_;
   ScanMatcher matcher_;

@@ -30,7 +30,8 @@ class PoseGraph {
     return neighbours_[static_cast<size_t>(node)];
   }
 
-  /// Moves the poses, of which the first stays. False when there is no better place for them.
+  /// Moves all poses but the first, so that they fit better to the edges. Returns false when no
+  /// move makes the error smaller.
   bool optimize(std::vector<Pose>& poses) const;
 
  private:

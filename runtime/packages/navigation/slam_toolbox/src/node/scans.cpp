@@ -20,32 +20,10 @@ tf2::Transform transform_of(const Pose& pose) {
   return tf2::Transform(rotation, tf2::Vector3(pose.x, pose.y, 0.0));
 }
 
-/// True while it exists.
-class Working {
- public:
-  explicit Working(bool& flag) : flag_(flag) { flag_ = true; }
-  ~Working() { flag_ = false; }
-
- private:
-  bool& flag_;
-};
-
 }  // namespace
 
-void SlamToolbox::on_scan(const LaserScan::ConstSharedPtr& message) {
+void SlamToolbox::on_scan(const LaserScan& message) {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
-  arrived_.push_back(message);
-  // A lookup of transforms takes in new ones, which may let the next scan pass.
-  if (is_handling_) return;
-  const Working working(is_handling_);
-  while (!arrived_.empty()) {
-    const LaserScan::ConstSharedPtr next = arrived_.front();
-    arrived_.pop_front();
-    if (is_active_) handle(*next);
-  }
-}
-
-void SlamToolbox::handle(const LaserScan& message) {
   Pose odometry;
   try {
     tf2::Transform transform;

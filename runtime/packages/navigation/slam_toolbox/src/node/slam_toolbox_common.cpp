@@ -137,7 +137,7 @@ LifecycleNodeInterface::CallbackReturn SlamToolbox::on_activate(const rclcpp_lif
       *scan_subscriber_, *buffer_, parameters_.odom_frame,
       static_cast<uint32_t>(parameters_.scan_queue_size), get_node_logging_interface(),
       get_node_clock_interface(), tf2::durationFromSec(parameters_.transform_timeout));
-  scan_filter_->registerCallback([this](LaserScan::ConstSharedPtr scan) { on_scan(scan); });
+  scan_filter_->registerCallback([this](LaserScan::ConstSharedPtr scan) { on_scan(*scan); });
   // Wall time, as upstream: stamps come from scans, and there may be no /clock.
   const auto every = [this](double seconds, auto callback) {
     return create_wall_timer(std::chrono::duration<double>(seconds), callback);
@@ -165,7 +165,6 @@ LifecycleNodeInterface::CallbackReturn SlamToolbox::on_deactivate(const rclcpp_l
   is_active_ = false;
   scan_filter_.reset();
   scan_subscriber_.reset();
-  arrived_.clear();
   transform_timer_.reset();
   map_timer_.reset();
   pose_publisher_->on_deactivate();

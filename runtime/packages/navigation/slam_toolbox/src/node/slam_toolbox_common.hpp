@@ -2,7 +2,6 @@
 // it with the frame of the map.
 #pragma once
 
-#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -74,8 +73,7 @@ class SlamToolbox : public rclcpp_lifecycle::LifecycleNode {
   void forget();
 
   // Scans (scans.cpp).
-  void on_scan(const LaserScan::ConstSharedPtr& message);
-  void handle(const LaserScan& message);
+  void on_scan(const LaserScan& message);
   const Mount* mount_of(const LaserScan& message);
   std::optional<Scan> read(const LaserScan& message);
   void publish_pose(const Scan& scan, const Eigen::Matrix3d& covariance);
@@ -105,9 +103,7 @@ class SlamToolbox : public rclcpp_lifecycle::LifecycleNode {
   size_t map_listeners_ = 0;
   bool is_too_large_ = false;  ///< the map, which was logged
 
-  std::map<std::string, Mount> mounts_;            ///< by the frame of their scans
-  std::deque<LaserScan::ConstSharedPtr> arrived_;  ///< while another scan is handled
-  bool is_handling_ = false;
+  std::map<std::string, Mount> mounts_;  ///< by the frame of their scans
   bool is_active_ = false;
   bool is_paused_ = false;
   Start start_ = Start::kOdometry;
